@@ -1,0 +1,38 @@
+import { exactMotion } from '../physics/index.ts'
+import type { Trajectory } from '../physics/index.ts'
+
+/** Errors of a run against the true motion, a number for each frame, and what they come to [m]. */
+export interface Errors {
+  /** Signed, one for each row of the trajectory. */
+  readonly each: Float64Array
+  /** Signed, that of the last row. */
+  readonly atEnd: number
+  /** The largest in size. */
+  readonly largest: number
+  /** Root mean square over the frames: an order is fitted to this, since an end point can be right by luck. */
+  readonly rms: number
+}
+
+/** How far the physics state is from the truth at the state's own time: s − exact(stateTime). */
+export function trajectoryErrors(trajectory: Trajectory): Errors {
+  return errors(trajectory, trajectory.s, trajectory.stateTime)
+}
+
+/** How far what a frame shows is from the truth at the frame's time: drawnS − exact(time). */
+export function presentationErrors(trajectory: Trajectory): Errors {
+  return errors(trajectory, trajectory.drawnS, trajectory.time)
+}
+
+function errors({ experiment }: Trajectory, positions: Float64Array, times: Float64Array): Errors {
+  const motion = exactMotion(experiment)
+  const truth = { s: 0, v: 0 }
+  let largest = 0
+  let squares = 0
+  const each = positions.map((position, row) => {
+    const error = position - motion(times[row]!, truth).s
+    largest = Math.max(largest, Math.abs(error))
+    squares += error * error
+    return error
+  })
+  return { each, atEnd: each[each.length - 1]!, largest, rms: Math.sqrt(squares / each.length) }
+}

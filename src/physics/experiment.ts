@@ -1,0 +1,64 @@
+import type { frameClocks } from './frames/index.ts'
+import type { IntegratorId } from './integrators/index.ts'
+import type { Chosen, ChosenWhole } from './options.ts'
+import type { SceneId, scenes } from './scenes/index.ts'
+import type { StoppingId } from './stopping/index.ts'
+import type { timesteps } from './timesteps/index.ts'
+
+type KeysOfEach<T> = T extends unknown ? keyof T : never
+
+/** The name of a parameter of some scene. */
+export type ParameterName = KeysOfEach<(typeof scenes)[number]['parameters']>
+
+/** How physics time follows from frame time: a policy's id as `kind`, and its options. */
+export type Timestep = Chosen<(typeof timesteps)[number]>
+
+/** How frames follow each other: a clock's id as `kind`, and its options. */
+export type FramesChoice = Chosen<(typeof frameClocks)[number]>
+
+/**
+ * Everything that determines a run, as plain JSON: the same object in an address, an attribute, a message, a test.
+ * SI units; angles in degrees. What is left out is at its default.
+ */
+export interface Experiment {
+  scene: SceneId
+  /** Of the scene; in range one by one (each scene's `parameters` says which) and together. */
+  parameters?: Readonly<Partial<Record<ParameterName, number>>>
+  /** Default: velocity Verlet. */
+  integrator?: IntegratorId
+  /** Default: located. */
+  stopping?: StoppingId
+  /** Default: variable. */
+  timestep?: Timestep
+  /** Default: steady, 60 fps. */
+  frames?: FramesChoice
+  /** How long the run lasts [s]; the last frame is cut to end here. Default: the scene's. */
+  duration?: number
+}
+
+/** An experiment with nothing left out. */
+export interface ResolvedExperiment {
+  scene: SceneId
+  parameters: Readonly<Record<string, number>>
+  integrator: IntegratorId
+  stopping: StoppingId
+  timestep: ChosenWhole<(typeof timesteps)[number]>
+  frames: ChosenWhole<(typeof frameClocks)[number]>
+  duration: number
+}
+
+/** What an experiment is where it says nothing. */
+export const defaults = {
+  integrator: 'velocity-verlet',
+  stopping: 'located',
+  timestep: { kind: 'variable' },
+  frames: { kind: 'steady', fps: 60 },
+} as const
+
+/** The bounds of what a run may ask for. */
+export const limits = {
+  /** [s] */
+  duration: 1e6,
+  frames: 1e6,
+  steps: 5e6,
+} as const

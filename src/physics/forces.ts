@@ -1,0 +1,56 @@
+import type { Experiment } from './experiment.ts'
+import { entry } from './lists.ts'
+import { Motion } from './motion.ts'
+import { parseExperiment } from './parse.ts'
+import type { Scene, State } from './scene.ts'
+import { scenes } from './scenes/index.ts'
+import { SinCos } from './trigonometry.ts'
+import { dot, plus, times } from './vector.ts'
+import type { Vector } from './vector.ts'
+
+/** The forces on a block [N], and the directions they are made of. */
+export interface ForceVectors {
+  /** Unit vector along the track, in the direction of growing s. */
+  along: Vector
+  /** Unit vector out of the track, n̂. */
+  across: Vector
+  /** G = m g. */
+  gravity: Vector
+  /** N = m press n̂: what keeps the block on the track; on a slope −m (g·n̂) n̂. */
+  normal: Vector
+  /** Sliding: −μk |N| v̂. At rest: whatever holds the block, up to μs |N|. */
+  friction: Vector
+  /** The scene's own force along the track: the spring's, or the drag of air. */
+  other: Vector
+  sum: Vector
+  /** The sum divided by the mass [m/s²]. */
+  acceleration: Vector
+}
+
+/**
+ * The paper's vectors, corrected, for a block of an experiment at a state. Along the track their sum is the mass
+ * times the acceleration that a step integrates, across it the centripetal force m v² × curvature.
+ *
+ * @throws ExperimentError for an experiment that can't be run
+ */
+export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors {
+  const { scene: id, parameters } = parseExperiment(experiment)
+  const scene: Scene = entry(scenes, id)
+  const law = scene.law(parameters)
+  const { slope } = scene.place(parameters, s)
+  const direction = new SinCos()
+  direction.of(slope)
+  const along = { x: direction.cos, y: -direction.sin }
+  const across = { x: direction.sin, y: direction.cos }
+  const motion = new Motion(law, s, v)
+  const press = motion.pressAt(s, v)
+  const { drive } = motion
+  const held = v === 0 && Math.abs(drive) <= law.muStatic * press
+  const slip = v > 0 || (v === 0 && drive > 0) ? 1 : -1
+  const gravity = { x: 0, y: -law.mass * parameters.gravity! }
+  const normal = times(law.mass * press, across)
+  const friction = times(-law.mass * (held ? drive : slip * law.muKinetic * press), along)
+  const other = times(law.mass * drive - dot(gravity, along), along)
+  const sum = plus(gravity, normal, friction, other)
+  return { along, across, gravity, normal, friction, other, sum, acceleration: times(1 / law.mass, sum) }
+}

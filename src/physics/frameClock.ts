@@ -1,0 +1,18 @@
+import type { Described, Options } from './options.ts'
+
+/** One run of a clock: each `next` is a frame. Time is counted in whole frames wherever the clock allows it. */
+export interface Frames {
+  /** How long the frame lasts [s]. */
+  duration: number
+  /** The wall-clock time at the frame's end [s]. */
+  time: number
+  next(): void
+}
+
+/** A way in which frames follow each other. */
+export interface FrameClock extends Described {
+  readonly options: Options
+  /** Frames in a second, in the long run. */
+  rate(options: never): number
+  start(options: never): Frames
+}

@@ -1,0 +1,64 @@
+import type { FrameClock, Frames } from '../frameClock.ts'
+import type { NumberOption, Values } from '../options.ts'
+import { fps } from './options.ts'
+
+const every = {
+  type: 'number',
+  label: 'A hitch every',
+  symbol: 'T',
+  unit: 's',
+  min: 0.01,
+  max: 3600,
+  slider: { from: 0.1, to: 5, step: 0.1 },
+  initial: 1,
+} as const satisfies NumberOption
+
+const length = {
+  type: 'number',
+  label: 'lasting',
+  symbol: 'h',
+  unit: 's',
+  min: 0.001,
+  max: 60,
+  slider: { from: 0.05, to: 2, step: 0.05 },
+  initial: 0.25,
+} as const satisfies NumberOption
+
+const options = { fps, every, length } as const
+
+/** Steady frames, and a long one now and then: a level loads, a collector runs. */
+export const hitch = {
+  id: 'hitch',
+  label: 'Hitches',
+  about: 'Steady frames with one long one at regular intervals: a level loads, memory is collected.',
+  options,
+  rate: ({ fps, every, length }: Values<typeof options>) => {
+    const period = every * Math.ceil(length / every)
+    return ((period - length) * fps + 1) / period
+  },
+  start: (chosen: Values<typeof options>): Frames => new HitchFrames(chosen),
+} as const satisfies FrameClock
+
+class HitchFrames implements Frames {
+  duration = NaN
+  time = 0
+  private plain = 0
+  private hitches = 0
+  private due: number
+  private readonly chosen: Values<typeof options>
+
+  constructor(chosen: Values<typeof options>) {
+    this.chosen = chosen
+    this.due = chosen.every
+  }
+
+  next(): void {
+    const { fps, every, length } = this.chosen
+    const stalls = this.time >= this.due
+    if (stalls) this.hitches++
+    else this.plain++
+    this.duration = stalls ? length : 1 / fps
+    this.time = this.plain / fps + this.hitches * length
+    if (stalls) this.due = every * Math.ceil(this.time / every)
+  }
+}

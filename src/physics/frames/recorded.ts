@@ -1,0 +1,50 @@
+import { ExactSum } from '../exactSum.ts'
+import type { FrameClock, Frames } from '../frameClock.ts'
+import type { ListOption, Values } from '../options.ts'
+
+const durations = {
+  type: 'list',
+  label: 'Frame times',
+  unit: 's',
+  min: 1e-5,
+  max: 60,
+  maxLength: 10000,
+  initial: [1 / 60],
+} as const satisfies ListOption
+
+const options = { durations } as const
+
+/** Frame times measured somewhere, played again from the start when they run out. */
+export const recorded = {
+  id: 'recorded',
+  label: 'Recorded',
+  about: 'Frame times that were measured on a real machine, repeated when they run out.',
+  options,
+  rate: ({ durations }: Values<typeof options>) => durations.length / total(durations),
+  start: ({ durations }: Values<typeof options>): Frames => new RecordedFrames(durations),
+} as const satisfies FrameClock
+
+function total(durations: readonly number[]): number {
+  const sum = new ExactSum()
+  for (const duration of durations) sum.add(duration)
+  return sum.value
+}
+
+class RecordedFrames implements Frames {
+  duration = NaN
+  time = 0
+  private upcoming = 0
+  private readonly sum = new ExactSum()
+  private readonly durations: readonly number[]
+
+  constructor(durations: readonly number[]) {
+    this.durations = durations
+  }
+
+  next(): void {
+    this.duration = this.durations[this.upcoming]!
+    this.upcoming = (this.upcoming + 1) % this.durations.length
+    this.sum.add(this.duration)
+    this.time = this.sum.value
+  }
+}

@@ -1,0 +1,32 @@
+/** The laws of motion: nothing here knows of a page, a clock or chance. */
+
+export type { Experiment, FramesChoice, ParameterName, ResolvedExperiment, Timestep } from './experiment.ts'
+export { defaults, limits } from './experiment.ts'
+export { parseExperiment } from './parse.ts'
+export { ExperimentError } from './problems.ts'
+export type { Problem } from './problems.ts'
+
+export { createRun, simulate } from './simulate.ts'
+export type { Outcome, Run } from './run.ts'
+export type { Trajectory } from './trajectory.ts'
+export { exact, exactMotion } from './exact/index.ts'
+export type { ExactMotion, Parameters, Place, Scene, State } from './scene.ts'
+
+export { scenes } from './scenes/index.ts'
+export type { SceneId } from './scenes/index.ts'
+export { integrators } from './integrators/index.ts'
+export type { IntegratorId } from './integrators/index.ts'
+export type { Integrator } from './integrator.ts'
+export { stoppings } from './stopping/index.ts'
+export type { StoppingId } from './stopping/index.ts'
+export { timesteps } from './timesteps/index.ts'
+export type { TimestepId } from './timesteps/index.ts'
+export { frameClocks } from './frames/index.ts'
+export type { FrameClockId } from './frames/index.ts'
+export type { ChoiceOption, Described, ListOption, NumberOption, Option, Options } from './options.ts'
+
+export { forcesAt } from './forces.ts'
+export type { ForceVectors } from './forces.ts'
+export type { Vector } from './vector.ts'
+export { allCorrected, asPrinted, corrections, paperStep } from './paper.ts'
+export type { Body, Correction, Corrections, Surface } from './paper.ts'

@@ -1,0 +1,41 @@
+import type { Integrator } from '../integrator.ts'
+import type { Motion } from '../motion.ts'
+
+const MOST_ITERATIONS = 40
+// Two rounding errors of a number of size one.
+const ROUNDING = 2 * Number.EPSILON
+
+/** The implicit midpoint rule (Gauss, one stage): the slope half-way, at a mean velocity that solves its own equation. */
+export const implicitMidpoint = {
+  id: 'implicit-midpoint',
+  label: 'Implicit midpoint',
+  about: 'Solves for the mean velocity that agrees with the force half-way: stable at any step, however stiff the spring.',
+  formula: ['v̄ = v + ½ Δt a(s + ½ Δt v̄, v̄)', 's′ = s + v̄ Δt', 'v′ = 2 v̄ − v'],
+  order: 2,
+  orderWithSpeed: 2,
+  stability: Infinity,
+  symplectic: true,
+  evaluations: { least: 2, most: MOST_ITERATIONS },
+  colour: 6,
+  // #region step
+  step(motion: Motion): void {
+    const { s, v, dt } = motion
+    const half = 0.5 * dt
+    // By how much a guess of the mean velocity misses its equation; the secant through the last two misses gives the next.
+    let guess = v
+    let miss = half * motion.acceleration(s + half * guess, guess)
+    let change = miss
+    let iterations = 1
+    while (Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) && iterations < MOST_ITERATIONS) {
+      guess += change
+      const next = v - guess + half * motion.acceleration(s + half * guess, guess)
+      change = next === miss ? 0 : (change * next) / (miss - next)
+      miss = next
+      iterations++
+    }
+    if (iterations === MOST_ITERATIONS) motion.unsolved++
+    motion.s = s + guess * dt
+    motion.v = guess + guess - v
+  },
+  // #endregion
+} as const satisfies Integrator

@@ -1,0 +1,20 @@
+import { explicitEuler } from './explicitEuler.ts'
+import { semiImplicitEuler } from './semiImplicitEuler.ts'
+import { velocityVerlet } from './velocityVerlet.ts'
+import { midpoint } from './midpoint.ts'
+import { rk4 } from './rk4.ts'
+import { yoshida4 } from './yoshida4.ts'
+import { implicitMidpoint } from './implicitMidpoint.ts'
+
+/** Every integrator, from the simplest on. */
+export const integrators = [
+  explicitEuler,
+  semiImplicitEuler,
+  velocityVerlet,
+  midpoint,
+  rk4,
+  yoshida4,
+  implicitMidpoint,
+] as const
+
+export type IntegratorId = (typeof integrators)[number]['id']

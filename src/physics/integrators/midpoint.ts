@@ -1,0 +1,25 @@
+import type { Integrator } from '../integrator.ts'
+import type { Motion } from '../motion.ts'
+
+/** The explicit midpoint method (Runge, 1895). */
+export const midpoint = {
+  id: 'midpoint',
+  label: 'Midpoint',
+  about: 'Takes half a step to look at the slope there, then the whole step with that slope.',
+  formula: ['v½ = v + ½ a(s, v) Δt', 's′ = s + v½ Δt', 'v′ = v + a(s + ½ v Δt, v½) Δt'],
+  order: 2,
+  orderWithSpeed: 2,
+  stability: 0,
+  symplectic: false,
+  evaluations: { least: 2, most: 2 },
+  colour: 3,
+  // #region step
+  step(motion: Motion): void {
+    const { s, v, dt } = motion
+    const vHalf = v + 0.5 * dt * motion.acceleration(s, v)
+    const aHalf = motion.acceleration(s + 0.5 * dt * v, vHalf)
+    motion.s = s + vHalf * dt
+    motion.v = v + aHalf * dt
+  },
+  // #endregion
+} as const satisfies Integrator

@@ -1,0 +1,24 @@
+import type { Integrator } from '../integrator.ts'
+import type { Motion } from '../motion.ts'
+
+/** Semi-implicit (symplectic) Euler: the paper's step, whatever the paper calls it (de Vogelaere, 1956). */
+export const semiImplicitEuler = {
+  id: 'semi-implicit-euler',
+  label: 'Semi-implicit Euler',
+  about: 'Changes the velocity, then moves with the new one: the paper’s step, and that of most game engines.',
+  formula: ['v′ = v + a(s, v) Δt', 's′ = s + v′ Δt'],
+  order: 1,
+  orderWithSpeed: 1,
+  stability: 2,
+  symplectic: true,
+  evaluations: { least: 1, most: 1 },
+  colour: 1,
+  // #region step
+  step(motion: Motion): void {
+    const { s, v, dt } = motion
+    const a = motion.acceleration(s, v)
+    motion.v = v + a * dt
+    motion.s = s + motion.v * dt
+  },
+  // #endregion
+} as const satisfies Integrator

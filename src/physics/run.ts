@@ -1,0 +1,120 @@
+import type { ResolvedExperiment } from './experiment.ts'
+import { ExactSum } from './exactSum.ts'
+import type { Integrator } from './integrator.ts'
+import { entry } from './lists.ts'
+import { integrators } from './integrators/index.ts'
+import { Motion } from './motion.ts'
+import { scenes } from './scenes/index.ts'
+import { stoppings } from './stopping/index.ts'
+import type { StoppingRule } from './stoppingRule.ts'
+import { timesteps } from './timesteps/index.ts'
+import type { Advance, TimestepPolicy } from './timestepPolicy.ts'
+import type { Scene } from './scene.ts'
+
+/** How a run stands or ended, and since when on the physics clock [s]. */
+export interface Outcome {
+  kind: 'moving' | 'at-rest' | 'left-the-track' | 'diverged'
+  time: number
+}
+
+/**
+ * A run of an experiment, one frame at a time: what a game loop calls. `simulate` is a loop around it.
+ * Made by `createRun`.
+ */
+export class Run {
+  /** The block: `s` [m] and `v` [m/s] are its state. */
+  readonly motion: Motion
+  /** Time on the wall clock, the sum of all frames [s]. */
+  time = 0
+  /** The time that the physics state stands at [s]. */
+  stateTime = 0
+  /** How long the present frame lasts [s]. */
+  frameDuration = 0
+  /** The position that the frame shows [m]. */
+  drawnS: number
+  /** Frame time that the timestep policy dropped [s]. */
+  lostTime = 0
+  /** Frames so far. */
+  frames = 0
+  /** Steps that the timestep policy asked for. */
+  steps = 0
+
+  private outcomeTime = 0
+  private readonly wallClock = new ExactSum()
+  private readonly integrator: Integrator
+  private readonly stopping: StoppingRule
+  private readonly advance: Advance
+
+  constructor(experiment: ResolvedExperiment) {
+    const scene: Scene = entry(scenes, experiment.scene)
+    const { parameters } = experiment
+    this.integrator = entry(integrators, experiment.integrator)
+    this.stopping = entry(stoppings, experiment.stopping)
+    const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
+    this.advance = timestep.start(experiment.timestep as never)
+    const law = scene.law(parameters)
+    this.motion = new Motion(law, parameters.position!, parameters.speed!)
+    this.motion.holdSlip(this.stopping.holdsSlip)
+    this.drawnS = this.motion.s
+  }
+
+  /** How the run stands. Once the block has left the track or diverged, further frames change nothing but the clock. */
+  get outcome(): Outcome {
+    const kind = this.motion.outcome
+    return { kind, time: kind === 'moving' ? this.stateTime : this.outcomeTime }
+  }
+
+  /** The block has left the track or diverged: there is nothing left to simulate. */
+  get ended(): boolean {
+    const { outcome } = this.motion
+    return outcome === 'left-the-track' || outcome === 'diverged'
+  }
+
+  /** Heat that friction has made [J]. */
+  get heat(): number {
+    return this.motion.heat
+  }
+
+  /** How often the acceleration was evaluated. */
+  get evaluations(): number {
+    return this.motion.evaluations
+  }
+
+  /**
+   * Moves on by a frame.
+   *
+   * @param duration how long the frame lasts [s], finite and not negative
+   * @throws RangeError where it is not
+   */
+  frame(duration: number): void {
+    if (!(duration >= 0 && duration < Infinity))
+      throw new RangeError(`A frame of ${String(duration)} s: a frame lasts a finite number of seconds, 0 or more.`)
+    this.wallClock.add(duration)
+    this.frameUntil(duration, this.wallClock.value)
+  }
+
+  /** As `frame`, by a clock that counts for itself: `time` is the wall clock at the frame's end [s]. */
+  frameUntil(duration: number, time: number): void {
+    this.frames++
+    this.time = time
+    if (this.ended) return
+    this.frameDuration = duration
+    this.advance(this)
+    if (this.ended) {
+      this.stateTime = this.outcomeTime
+      this.drawnS = this.motion.s
+    }
+  }
+
+  /** Takes a step of the motion, of `dt` seconds: what a timestep policy calls. */
+  step(dt: number): void {
+    const { motion } = this
+    if (motion.outcome === 'moving') {
+      motion.dt = dt
+      this.stopping.advance(motion, this.integrator)
+      if (motion.outcome !== 'moving') this.outcomeTime = this.stateTime + motion.elapsed
+      this.drawnS = motion.s
+    }
+    this.steps++
+  }
+}

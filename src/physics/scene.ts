@@ -1,0 +1,42 @@
+import type { Described, NumberOption } from './options.ts'
+import type { Law } from './motion.ts'
+
+/** Where a motion stands: distance along the track [m] and speed [m/s]. */
+export interface State {
+  s: number
+  v: number
+}
+
+/** A motion known at every instant: sets `into` to the state at the time t ≥ 0 [s] and returns it. */
+export type ExactMotion = (t: number, into: State) => State
+
+/** A point of a track, in a frame with x to the right and y upwards [m]. */
+export interface Place {
+  x: number
+  y: number
+  /** The direction of growing s, below the horizontal [rad]. */
+  slope: number
+  /** How fast the slope falls off along the track, −dslope/ds: positive where the track bends upwards [1/m]. */
+  curvature: number
+}
+
+export type Parameters = Readonly<Record<string, number>>
+
+/** A scene: one kind of track and the forces on a block there. */
+export interface Scene extends Described {
+  readonly parameters: Readonly<Record<string, NumberOption>>
+  /** How long a run lasts unless it says otherwise [s]. */
+  readonly duration: number
+  /** The side of a picture to which growing s runs: 1 to the right, −1 to the left. */
+  readonly facing: 1 | -1
+  /** What is wrong with parameters that are each in range but don't go together; undefined where nothing is. */
+  conflict?(parameters: Parameters): { parameter: string; problem: string } | undefined
+  /** The law that a step integrates. */
+  law(parameters: Parameters): Law
+  /** The point of the track at a distance s. */
+  place(parameters: Parameters, s: number): Place
+  /** Potential energy per mass at s, gravity's and the spring's [J/kg]. */
+  potential(parameters: Parameters, s: number): number
+  /** The true motion, from the closed form or to rounding. */
+  exact(parameters: Parameters): ExactMotion
+}

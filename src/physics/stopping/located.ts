@@ -1,0 +1,63 @@
+import type { Integrator } from '../integrator.ts'
+import type { Motion } from '../motion.ts'
+import { settle } from '../settle.ts'
+import type { StoppingRule } from '../stoppingRule.ts'
+import { locate } from './locate.ts'
+import { setsOff } from './staticFriction.ts'
+
+// Stops and joints inside one step. A real motion has a handful; a run that asks for more has lost its way.
+const MOST_EVENTS = 1000
+
+/** Steps exactly up to the instant at which the law jumps, decides there, and goes on with the rest of the step. */
+export const located = {
+  id: 'located',
+  label: 'Located',
+  about: 'Finds the instant inside the step at which the block stops or meets a joint, and goes on from there: no trace of the frame rate is left.',
+  keepsOrder: true,
+  holdsSlip: true,
+  // #region advance
+  advance(motion: Motion, integrator: Integrator): void {
+    const whole = motion.dt
+    let rest = whole
+    for (let events = 0; rest > 0 && motion.outcome === 'moving'; events++) {
+      motion.elapsed = whole - rest
+      if (events === MOST_EVENTS) motion.outcome = 'diverged'
+      else if (motion.v !== 0 || setsOff(motion)) {
+        motion.dt = rest
+        advanceToJump(motion, integrator)
+        rest -= motion.dt
+      }
+    }
+    if (motion.outcome !== 'moving') motion.elapsed = whole - rest
+    motion.dt = whole
+  },
+  // #endregion
+} as const satisfies StoppingRule
+
+/** Moves on by `motion.dt`, or only to the first jump of the law, and sets `motion.dt` to the time that it took. */
+function advanceToJump(motion: Motion, integrator: Integrator): void {
+  const { law } = motion
+  if (motion.v * motion.slip < 0 || motion.slip === 0) {
+    motion.slip = motion.v > 0 ? 1 : -1
+    motion.known = false
+  }
+  if (motion.slip > 0 ? motion.s >= motion.to : motion.s <= motion.from) motion.enterPiece()
+  if (motion.isOff) {
+    motion.outcome = 'left-the-track'
+    motion.dt = 0
+    return
+  }
+  motion.begin()
+  integrator.step(motion)
+  let turned = law.turnMatters && (motion.slip > 0 ? motion.v < 0 : motion.v > 0)
+  if (turned) locate(motion, integrator, 'turn')
+  const joint = motion.s > motion.to ? 'to' : motion.s < motion.from ? 'from' : undefined
+  if (joint) {
+    turned = false
+    locate(motion, integrator, joint)
+    motion.s = motion[joint]
+  }
+  if (turned) motion.v = 0
+  if (turned || joint) motion.known = false
+  settle(motion)
+}

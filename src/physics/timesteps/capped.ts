@@ -1,0 +1,41 @@
+import { ExactSum } from '../exactSum.ts'
+import type { NumberOption, Values } from '../options.ts'
+import type { TimestepPolicy } from '../timestepPolicy.ts'
+
+const cap = {
+  type: 'number',
+  label: 'Cap',
+  symbol: 'cap',
+  unit: 's',
+  min: 1e-6,
+  max: 60,
+  slider: { from: 0.01, to: 0.5, step: 0.01 },
+  initial: 0.05,
+} as const satisfies NumberOption
+
+const options = { cap } as const
+
+/** A step a frame, but never a long one: slow machines play in slow motion. */
+export const capped = {
+  id: 'capped',
+  label: 'Capped',
+  about: 'One step a frame, but never longer than the cap: what a slow frame exceeds it by is lost, and the game runs late.',
+  options,
+  losesTime: true,
+  steps: (_, __, frames) => frames,
+  // #region advance
+  start: ({ cap }: Values<typeof options>) => {
+    const lost = new ExactSum()
+    return (run) => {
+      if (run.frameDuration > cap) {
+        lost.add(run.frameDuration - cap)
+        run.step(cap)
+      } else {
+        run.step(run.frameDuration)
+      }
+      run.lostTime = lost.value
+      run.stateTime = run.time - run.lostTime
+    }
+  },
+  // #endregion
+} as const satisfies TimestepPolicy

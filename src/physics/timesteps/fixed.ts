@@ -1,0 +1,61 @@
+import type { ChoiceOption, NumberOption, Values } from '../options.ts'
+import { MOST_STEPS_A_FRAME, wholeSteps } from '../timestepPolicy.ts'
+import type { TimestepPolicy } from '../timestepPolicy.ts'
+import { step } from './options.ts'
+
+const maxSteps = {
+  type: 'number',
+  label: 'Most steps a frame',
+  symbol: 'n',
+  unit: '',
+  min: 1,
+  max: MOST_STEPS_A_FRAME,
+  integer: true,
+  slider: { from: 1, to: 60, step: 1 },
+  initial: MOST_STEPS_A_FRAME,
+  optional: true,
+} as const satisfies NumberOption
+
+const draw = {
+  type: 'choice',
+  label: 'Draw',
+  choices: ['latest', 'interpolated', 'extrapolated'],
+  initial: 'interpolated',
+  optional: true,
+} as const satisfies ChoiceOption
+
+const options = { step, maxSteps, draw } as const
+
+/** Steps of one length; an accumulator carries what is left of a frame over to the next (Fiedler, 2004). */
+export const fixed = {
+  id: 'fixed',
+  label: 'Fixed',
+  about: 'Physics takes steps of one length whatever the frames do, and the picture is drawn between two of them.',
+  options,
+  losesTime: false,
+  steps: ({ step, maxSteps }: Values<typeof options>, duration: number, frames: number) =>
+    Math.min(duration / step, maxSteps * frames),
+  // #region advance
+  start: ({ step, maxSteps, draw }: Values<typeof options>) => {
+    let taken = 0
+    let dropped = 0
+    let previous = NaN
+    return (run) => {
+      const { motion } = run
+      // The accumulator is the time by which the wall clock is ahead of the physics: counted, not added up.
+      const due = wholeSteps(run.time, step) - dropped - taken
+      const count = Math.min(due, maxSteps)
+      dropped += due - count
+      for (let i = 0; i < count; i++) {
+        previous = motion.s
+        run.step(step)
+        run.stateTime = ++taken * step
+      }
+      run.lostTime = dropped * step
+      const accumulator = Math.max(0, run.time - (taken + dropped) * step)
+      if (draw === 'extrapolated') run.drawnS = motion.s + motion.v * accumulator
+      if (draw === 'interpolated' && taken > 0) run.drawnS = previous + (motion.s - previous) * (accumulator / step)
+    }
+  },
+  // #endregion
+} as const satisfies TimestepPolicy

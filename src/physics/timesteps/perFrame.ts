@@ -1,0 +1,24 @@
+import type { Values } from '../options.ts'
+import type { TimestepPolicy } from '../timestepPolicy.ts'
+import { step } from './options.ts'
+
+const options = { step } as const
+
+/** The classic bug: a step for every frame, whatever the frame's length. */
+export const perFrame = {
+  id: 'per-frame',
+  label: 'No delta time',
+  about: 'One step of the same length every frame, however long the frame was: the faster the machine, the faster the game.',
+  options,
+  losesTime: true,
+  steps: (_, __, frames) => frames,
+  // #region advance
+  start: ({ step }: Values<typeof options>) => {
+    let steps = 0
+    return (run) => {
+      run.step(step)
+      run.stateTime = ++steps * step
+    }
+  },
+  // #endregion
+} as const satisfies TimestepPolicy

@@ -1,0 +1,73 @@
+import { chromium } from 'playwright-core'
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core'
+import { afterAll, beforeAll, expect, inject, onTestFinished } from 'vitest'
+
+type PageOptions = {
+  /** Relative to the site, e.g. `embed.html#…`. */
+  path?: string
+  /** In CSS pixels. */
+  width?: number
+  height?: number
+  deviceScaleFactor?: number
+  colorScheme?: 'light' | 'dark'
+  reducedMotion?: 'reduce' | 'no-preference'
+  hasTouch?: boolean
+}
+
+type OpenPage = {
+  page: Page
+  /** Everything that went wrong since the page was opened: messages, exceptions, requests. */
+  problems: string[]
+  /** Closes the page before its test ends. */
+  close: () => Promise<void>
+}
+
+let browser: Browser
+
+beforeAll(async () => {
+  browser = await chromium.connect(inject('browser'))
+})
+
+afterAll(() => browser.close())
+
+/**
+ * Opens a page of the site in a fresh context, loaded and with its fonts. A page opened in a test is
+ * closed with it; one opened in a hook is closed with its file.
+ */
+export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
+  const { path = '', width = 1280, height = 800, ...others } = options
+  const settings: BrowserContextOptions = { viewport: { width, height }, ...others }
+  const context = await browser.newContext(settings)
+  const close = () => context.close()
+  if (expect.getState().currentTestName !== undefined) onTestFinished(close)
+
+  const page = await context.newPage()
+  const problems = watch(page)
+  await page.goto(new URL(path, inject('address')).href, { waitUntil: 'load' })
+  await page.evaluate(() => document.fonts.ready.then(() => undefined))
+  return { page, problems, close }
+}
+
+function watch(page: Page): string[] {
+  const problems: string[] = []
+  const site = inject('address')
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.type() === 'warning') {
+      problems.push(`console ${message.type()}: ${message.text()}`)
+    }
+  })
+  page.on('pageerror', (error) => problems.push(`exception: ${error.stack ?? error.message}`))
+  page.on('requestfailed', (request) => {
+    problems.push(`request failed: ${request.url()} ${request.failure()?.errorText ?? ''}`)
+  })
+  page.on('response', (response) => {
+    if (response.status() >= 400) problems.push(`${response.status()}: ${response.url()}`)
+  })
+  page.on('request', (request) => {
+    const url = request.url()
+    if (!url.startsWith(site) && !/^(data|blob):/.test(url)) {
+      problems.push(`request leaves the site: ${url}`)
+    }
+  })
+  return problems
+}

@@ -1,0 +1,58 @@
+/** Once for all site tests: a fresh build, served, and a browser to look at it. */
+import { execFileSync } from 'node:child_process'
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join, resolve } from 'node:path'
+import { preview } from 'vite'
+import type { TestProject } from 'vitest/node'
+import { launchBrowser } from './browser.ts'
+
+declare module 'vitest' {
+  export interface ProvidedContext {
+    /** Where the built site is served, with a slash at the end. */
+    address: string
+    /** Where the browser listens for tests. */
+    browser: string
+  }
+}
+
+const root = resolve(import.meta.dirname, '../..')
+
+export default async function setup(project: TestProject): Promise<() => Promise<void>> {
+  // Not dist/, so that tests neither disturb a served build nor see a stale one.
+  const outDir = mkdtempSync(join(tmpdir(), 'any-frame-rate-'))
+  const undo = [() => Promise.resolve(rmSync(outDir, { recursive: true, force: true }))]
+  const teardown = async () => {
+    for (const step of undo.reverse()) await step()
+  }
+  // What a setup that failed leaves open would keep Vitest from ending.
+  try {
+    build(outDir)
+    const browser = await launchBrowser()
+    undo.push(() => browser.close())
+    const server = await preview({
+      root,
+      logLevel: 'error',
+      build: { outDir },
+      preview: { host: '127.0.0.1', port: 0 },
+    })
+    undo.push(() => server.close())
+    project.provide('address', server.resolvedUrls!.local[0]!)
+    project.provide('browser', browser.wsEndpoint())
+  } catch (error) {
+    await teardown()
+    throw error
+  }
+  return teardown
+}
+
+/** In a process of its own: Vitest sets NODE_ENV to "test", which would build the development page. */
+function build(outDir: string): void {
+  const vite = join(root, 'node_modules/vite/bin/vite.js')
+  const options = ['--outDir', outDir, '--emptyOutDir', '--logLevel', 'warn']
+  execFileSync(process.execPath, [vite, 'build', ...options], {
+    cwd: root,
+    env: { ...process.env, NODE_ENV: 'production' },
+    stdio: ['ignore', 'ignore', 'inherit'],
+  })
+}
