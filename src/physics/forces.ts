@@ -52,5 +52,14 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const friction = times(-law.mass * (held ? drive : slip * law.muKinetic * press), along)
   const other = times(law.mass * drive - dot(gravity, along), along)
   const sum = plus(gravity, normal, friction, other)
-  return { along, across, gravity, normal, friction, other, sum, acceleration: times(1 / law.mass, sum) }
+  return {
+    along,
+    across,
+    gravity,
+    normal,
+    friction,
+    other,
+    sum,
+    acceleration: times(1 / law.mass, sum),
+  }
 }

@@ -1,6 +1,12 @@
 /** The laws of motion: nothing here knows of a page, a clock or chance. */
 
-export type { Experiment, FramesChoice, ParameterName, ResolvedExperiment, Timestep } from './experiment.ts'
+export type {
+  Experiment,
+  FramesChoice,
+  ParameterName,
+  ResolvedExperiment,
+  Timestep,
+} from './experiment.ts'
 export { defaults, limits } from './experiment.ts'
 export { parseExperiment } from './parse.ts'
 export { ExperimentError } from './problems.ts'
@@ -23,7 +29,14 @@ export { timesteps } from './timesteps/index.ts'
 export type { TimestepId } from './timesteps/index.ts'
 export { frameClocks } from './frames/index.ts'
 export type { FrameClockId } from './frames/index.ts'
-export type { ChoiceOption, Described, ListOption, NumberOption, Option, Options } from './options.ts'
+export type {
+  ChoiceOption,
+  Described,
+  ListOption,
+  NumberOption,
+  Option,
+  Options,
+} from './options.ts'
 
 export { forcesAt } from './forces.ts'
 export type { ForceVectors } from './forces.ts'

@@ -58,6 +58,8 @@ export class Motion {
   known = false
   /** The acceleration at a step's end serves the next step too, although v is corrected in between. */
   reusable = false
+  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
+  moving = true
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** How often the acceleration was evaluated. */
   evaluations = 0
@@ -71,12 +73,24 @@ export class Motion {
   startKnown = false
 
   readonly law: Law
+  // What a step reads of the law stands here too, as fields of known kind.
+  readonly rubs: boolean
+  readonly constantPress: boolean
+  readonly turnMatters: boolean
+  readonly speedLimit: number = NaN
+  /** m μk: times `press` it is the size of kinetic friction [kg]. */
+  readonly rubbingMass: number = NaN
   private readonly forces: Forces
-  private readonly muKinetic: number
+  private readonly muKinetic: number = NaN
 
   constructor(law: Law, s: number, v: number) {
     this.law = law
     this.forces = law.forces
+    this.rubs = law.muKinetic > 0
+    this.constantPress = law.constantPress
+    this.turnMatters = law.turnMatters
+    this.speedLimit = law.speedLimit
+    this.rubbingMass = law.mass * law.muKinetic
     this.muKinetic = law.muKinetic
     this.s = s
     this.v = v
@@ -130,21 +144,30 @@ export class Motion {
     this.known = this.startKnown
   }
 
-  /** Finds the piece of track that the block is on, or at a joint the one that it moves into. */
-  enterPiece(): void {
-    const { joints } = this.law
+  /**
+   * Finds the piece of track that the block is on, or at a joint the one that it moves into. Returns false where there is
+   * no track.
+   */
+  enterPiece(): boolean {
+    const { joints, open } = this.law
     const ahead = this.slip < 0 ? -1 : 1
     let piece = 0
-    while (piece < joints.length && (ahead > 0 ? this.s >= joints[piece]! : this.s > joints[piece]!))
+    while (
+      piece < joints.length &&
+      (ahead > 0 ? this.s >= joints[piece]! : this.s > joints[piece]!)
+    )
       piece++
     this.piece = piece
     this.from = piece === 0 ? -Infinity : joints[piece - 1]!
     this.to = piece === joints.length ? Infinity : joints[piece]!
     this.known = false
+    return !open || (piece > 0 && piece < joints.length)
   }
 
-  /** The block is where there is no track. */
-  get isOff(): boolean {
-    return this.law.open && (this.piece === 0 || this.piece === this.law.joints.length)
+  /** Ends the motion: nothing that is left of the step, and no later one, changes it. `elapsed` seconds of the step had passed. */
+  end(outcome: 'at-rest' | 'left-the-track' | 'diverged', elapsed: number): void {
+    this.moving = false
+    this.outcome = outcome
+    this.elapsed = elapsed
   }
 }

@@ -51,17 +51,27 @@ export const allCorrected: Corrections = {
  * The body is left as it was; the new one is returned.
  */
 // #region step
-export function paperStep(body: Body, surface: Surface, dt: number, corrections: Corrections): Body {
+export function paperStep(
+  body: Body,
+  surface: Surface,
+  dt: number,
+  corrections: Corrections,
+): Body {
   const { r, v } = body
   const { g, n, mass, muKinetic, muStatic } = surface
   const press = -mass * dot(g, n)
   const normal = corrections.normalIsVector ? times(press, n) : { x: press, y: press }
   const sliding = plus(v, times(-dot(n, v), n))
   const speed = length(sliding)
-  const slip = corrections.unitSlipDirection ? (speed > 0 ? times(1 / speed, sliding) : zero) : sliding
+  const slip = corrections.unitSlipDirection
+    ? speed > 0
+      ? times(1 / speed, sliding)
+      : zero
+    : sliding
   const gravity = times(mass, g)
   const others = corrections.normalInSum ? plus(gravity, normal) : gravity
-  const stays = corrections.staticFriction && speed === 0 && length(others) <= muStatic * Math.abs(press)
+  const stays =
+    corrections.staticFriction && speed === 0 && length(others) <= muStatic * Math.abs(press)
   const friction = stays ? times(-1, others) : times(-muKinetic * Math.abs(press), slip)
   const a = times(1 / mass, plus(friction, others))
   const vNew = plus(v, times(dt, a))
@@ -107,12 +117,14 @@ export const corrections: readonly Correction[] = [
   {
     makes: 'newVelocity',
     printed: 'Moving with the new velocity is called forward Euler.',
-    happens: 'It is semi-implicit Euler. Forward Euler moves with the old velocity, and errs to the other side.',
+    happens:
+      'It is semi-implicit Euler. Forward Euler moves with the old velocity, and errs to the other side.',
     corrected: 'Both have their names, and both are offered.',
   },
   {
     printed: 'The step does not conserve energy and momentum.',
-    happens: 'True of forward Euler’s energy, which grows; that of the paper’s own step stays within bounds.',
+    happens:
+      'True of forward Euler’s energy, which grows; that of the paper’s own step stays within bounds.',
     corrected: 'Show the methods on one plot.',
   },
   {

@@ -25,8 +25,11 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
   const reader = new Reader()
   const given = reader.object('', value, KEYS)
   if (!given) throw new ExperimentError(reader.problems)
-  if (!Object.hasOwn(given, 'scene')) reader.report('scene', `is missing; it is one of ${ids(scenes)}`)
-  const sceneId = Object.hasOwn(given, 'scene') ? reader.id('scene', given.scene, scenes) : undefined
+  if (!Object.hasOwn(given, 'scene'))
+    reader.report('scene', `is missing; it is one of ${ids(scenes)}`)
+  const sceneId = Object.hasOwn(given, 'scene')
+    ? reader.id('scene', given.scene, scenes)
+    : undefined
   const scene: Scene | undefined = sceneId === undefined ? undefined : entry(scenes, sceneId)
   const experiment = {
     scene: sceneId!,
@@ -35,7 +38,10 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
     stopping: reader.id('stopping', given.stopping ?? defaults.stopping, stoppings),
     timestep: reader.choice('timestep', given.timestep ?? defaults.timestep, timesteps),
     frames: reader.choice('frames', given.frames ?? defaults.frames, frameClocks),
-    duration: reader.number('duration', given.duration ?? scene?.duration ?? 0, { min: 0, max: limits.duration }),
+    duration: reader.number('duration', given.duration ?? scene?.duration ?? 0, {
+      min: 0,
+      max: limits.duration,
+    }),
   } as ResolvedExperiment
   if (reader.problems.length === 0) {
     const conflict = scene?.conflict?.(experiment.parameters)
@@ -86,7 +92,11 @@ class Reader {
     this.problems.push({ path, message })
   }
 
-  object(path: string, value: unknown, known: readonly string[]): Record<string, unknown> | undefined {
+  object(
+    path: string,
+    value: unknown,
+    known: readonly string[],
+  ): Record<string, unknown> | undefined {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
       this.report(path, `${show(value)} is not an object with any of ${known.join(', ')}`)
       return undefined
@@ -94,27 +104,48 @@ class Reader {
     for (const key of Object.keys(value)) {
       if (known.includes(key)) continue
       const name = nearest(key, known)
-      const hint = name ? `did you mean ${name}?` : known.length ? `known are ${known.join(', ')}` : 'nothing is'
+      const hint = name
+        ? `did you mean ${name}?`
+        : known.length
+          ? `known are ${known.join(', ')}`
+          : 'nothing is'
       this.report(path ? `${path}.${shorten(key)}` : shorten(key), `is not known here; ${hint}`)
     }
     // Inherited properties are nobody's wish: only the object's own count.
     return Object.fromEntries(
-      known.filter((key) => Object.hasOwn(value, key)).map((key) => [key, (value as Record<string, unknown>)[key]]),
+      known
+        .filter((key) => Object.hasOwn(value, key))
+        .map((key) => [key, (value as Record<string, unknown>)[key]]),
     )
   }
 
   id(path: string, value: unknown, list: readonly { readonly id: string }[]): string | undefined {
     if (list.some(({ id }) => id === value)) return value as string
-    const name = typeof value === 'string' ? nearest(value, list.map(({ id }) => id)) : undefined
-    this.report(path, `${show(value)} is not one of ${ids(list)}${name ? `; did you mean ${name}?` : ''}`)
+    const name =
+      typeof value === 'string'
+        ? nearest(
+            value,
+            list.map(({ id }) => id),
+          )
+        : undefined
+    this.report(
+      path,
+      `${show(value)} is not one of ${ids(list)}${name ? `; did you mean ${name}?` : ''}`,
+    )
     return undefined
   }
 
-  number(path: string, value: unknown, range: Pick<NumberOption, 'min' | 'max' | 'integer'>): number {
+  number(
+    path: string,
+    value: unknown,
+    range: Pick<NumberOption, 'min' | 'max' | 'integer'>,
+  ): number {
     const { min, max, integer = false } = range
     if (typeof value !== 'number') this.report(path, `${show(value)} is not a number`)
-    else if (!(value >= min && value <= max)) this.report(path, `${show(value)} is not in ${min}…${max}`)
-    else if (integer && !Number.isInteger(value)) this.report(path, `${show(value)} is not a whole number in ${min}…${max}`)
+    else if (!(value >= min && value <= max))
+      this.report(path, `${show(value)} is not in ${min}…${max}`)
+    else if (integer && !Number.isInteger(value))
+      this.report(path, `${show(value)} is not a whole number in ${min}…${max}`)
     // + 0 turns −0, which JSON can't say, into 0.
     else return value + 0
     return NaN
@@ -123,7 +154,11 @@ class Reader {
   option(path: string, value: unknown, option: Option): unknown {
     if (option.type === 'number') return this.number(path, value, option)
     if (option.type === 'choice') {
-      return this.id(path, value, option.choices.map((id) => ({ id })))
+      return this.id(
+        path,
+        value,
+        option.choices.map((id) => ({ id })),
+      )
     }
     if (!Array.isArray(value)) this.report(path, `${show(value)} is not a list of numbers`)
     else if (value.length < 1 || value.length > option.maxLength)
@@ -132,7 +167,12 @@ class Reader {
     return undefined
   }
 
-  options(path: string, value: unknown, options: Options, also: readonly string[] = []): Record<string, unknown> {
+  options(
+    path: string,
+    value: unknown,
+    options: Options,
+    also: readonly string[] = [],
+  ): Record<string, unknown> {
     const given = this.object(path, value, [...also, ...Object.keys(options)])
     const result: Record<string, unknown> = {}
     for (const [key, option] of Object.entries(options)) {
@@ -144,8 +184,17 @@ class Reader {
     return result
   }
 
-  choice(path: string, value: unknown, list: readonly { readonly id: string; readonly options: Options }[]): unknown {
-    if (typeof value !== 'object' || value === null || Array.isArray(value) || !Object.hasOwn(value, 'kind')) {
+  choice(
+    path: string,
+    value: unknown,
+    list: readonly { readonly id: string; readonly options: Options }[],
+  ): unknown {
+    if (
+      typeof value !== 'object' ||
+      value === null ||
+      Array.isArray(value) ||
+      !Object.hasOwn(value, 'kind')
+    ) {
       this.report(path, `${show(value)} is not an object with a kind, one of ${ids(list)}`)
       return undefined
     }

@@ -66,8 +66,8 @@ export class Run {
 
   /** The block has left the track or diverged: there is nothing left to simulate. */
   get ended(): boolean {
-    const { outcome } = this.motion
-    return outcome === 'left-the-track' || outcome === 'diverged'
+    const { moving, outcome } = this.motion
+    return !moving && outcome !== 'at-rest'
   }
 
   /** Heat that friction has made [J]. */
@@ -88,7 +88,9 @@ export class Run {
    */
   frame(duration: number): void {
     if (!(duration >= 0 && duration < Infinity))
-      throw new RangeError(`A frame of ${String(duration)} s: a frame lasts a finite number of seconds, 0 or more.`)
+      throw new RangeError(
+        `A frame of ${String(duration)} s: a frame lasts a finite number of seconds, 0 or more.`,
+      )
     this.wallClock.add(duration)
     this.frameUntil(duration, this.wallClock.value)
   }
@@ -109,10 +111,10 @@ export class Run {
   /** Takes a step of the motion, of `dt` seconds: what a timestep policy calls. */
   step(dt: number): void {
     const { motion } = this
-    if (motion.outcome === 'moving') {
+    if (motion.moving) {
       motion.dt = dt
       this.stopping.advance(motion, this.integrator)
-      if (motion.outcome !== 'moving') this.outcomeTime = this.stateTime + motion.elapsed
+      if (!motion.moving) this.outcomeTime = this.stateTime + motion.elapsed
       this.drawnS = motion.s
     }
     this.steps++

@@ -1,14 +1,17 @@
 import type { Motion } from './motion.ts'
 
-/** Ends a step that is accepted: adds the heat that friction made in it, and notices a speed that no real motion has. */
-export function settle(motion: Motion): void {
-  if (!(Math.abs(motion.v) <= motion.law.speedLimit)) {
-    motion.outcome = 'diverged'
+/**
+ * Ends a step that is accepted: adds the heat that friction made in it, and notices a speed that no real motion has.
+ * `elapsed` is how far the step has got into the one asked for [s].
+ */
+export function settle(motion: Motion, elapsed: number): void {
+  if (!(Math.abs(motion.v) <= motion.speedLimit)) {
+    motion.end('diverged', elapsed)
     // What a trajectory holds is always a number that can be drawn.
     if (!(Math.abs(motion.s) + Math.abs(motion.v) < Infinity)) motion.rewind()
     return
   }
-  if (motion.law.muKinetic > 0) addHeat(motion)
+  if (motion.rubs) addHeat(motion)
 }
 
 /**
@@ -16,19 +19,19 @@ export function settle(motion: Motion): void {
  * through both ends: of fourth order, so that the heat of an accurate method is as accurate as its motion.
  */
 function addHeat(motion: Motion): void {
-  const { law, s, v, startS, startV, dt, a } = motion
-  const distance = s - startS
-  if (law.constantPress) {
-    motion.heat += law.mass * law.muKinetic * motion.press * Math.abs(distance)
+  if (motion.constantPress) {
+    motion.heat += motion.rubbingMass * motion.press * Math.abs(motion.s - motion.startS)
     return
   }
+  const { s, v, startS, startV, dt, a } = motion
+  const distance = s - startS
   const ends = (startV + v) / 4
   const pressed =
     motion.pressAt(startS, startV) * startV * dt +
     motion.pressAt(0.5 * (startS + s) + 0.125 * dt * (startV - v), (1.5 * distance) / dt - ends) *
       (6 * distance - 4 * ends * dt) +
     motion.pressAt(s, v) * v * dt
-  motion.heat += (law.mass * law.muKinetic * Math.abs(pressed)) / 6
+  motion.heat += (motion.rubbingMass * Math.abs(pressed)) / 6
   motion.s = s
   motion.v = v
   motion.a = a

@@ -28,7 +28,9 @@ export function simulate(experiment: Experiment): Trajectory {
   const clock: FrameClock = entry(frameClocks, resolved.frames.kind)
   const frames = clock.start(resolved.frames as never)
   const run = new Run(resolved)
-  const recorder = new Recorder(Math.ceil(1.02 * duration * clock.rate(resolved.frames as never)) + 2)
+  const recorder = new Recorder(
+    Math.ceil(1.02 * duration * clock.rate(resolved.frames as never)) + 2,
+  )
   recorder.record(run)
   while (run.time < duration && !run.ended) {
     nextFrame(run, frames, duration)

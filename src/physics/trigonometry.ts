@@ -59,7 +59,8 @@ export class SinCos {
                     (1 / 362880 +
                       z *
                         (-1 / 39916800 +
-                          z * (1 / 6227020800 + z * (-1 / 1307674368000 + z / 355687428096000))))))) +
+                          z *
+                            (1 / 6227020800 + z * (-1 / 1307674368000 + z / 355687428096000))))))) +
         tail * (1 - 0.5 * z))
     const head = 1 - 0.5 * z
     // What rounding took from `head` comes back in (1 − head) − z/2, which is exact.

@@ -30,7 +30,8 @@ const options = { fps, every, length } as const
 export const hitch = {
   id: 'hitch',
   label: 'Hitches',
-  about: 'Steady frames with one long one at regular intervals: a level loads, memory is collected.',
+  about:
+    'Steady frames with one long one at regular intervals: a level loads, memory is collected.',
   options,
   rate: ({ fps, every, length }: Values<typeof options>) => {
     const period = every * Math.ceil(length / every)

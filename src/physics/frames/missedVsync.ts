@@ -9,7 +9,8 @@ const options = { fps, seed } as const
 export const missedVsync = {
   id: 'missed-vsync',
   label: 'Missed vsync',
-  about: 'The display refreshes steadily; a frame that is not ready waits for the next refresh, so it lasts one or two, by chance.',
+  about:
+    'The display refreshes steadily; a frame that is not ready waits for the next refresh, so it lasts one or two, by chance.',
   options,
   rate: ({ fps }: Values<typeof options>) => fps / 1.5,
   start: (chosen: Values<typeof options>): Frames => new MissedVsyncFrames(chosen),

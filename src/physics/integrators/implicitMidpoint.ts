@@ -9,7 +9,8 @@ const ROUNDING = 2 * Number.EPSILON
 export const implicitMidpoint = {
   id: 'implicit-midpoint',
   label: 'Implicit midpoint',
-  about: 'Solves for the mean velocity that agrees with the force half-way: stable at any step, however stiff the spring.',
+  about:
+    'Solves for the mean velocity that agrees with the force half-way: stable at any step, however stiff the spring.',
   formula: ['v̄ = v + ½ Δt a(s + ½ Δt v̄, v̄)', 's′ = s + v̄ Δt', 'v′ = 2 v̄ − v'],
   order: 2,
   orderWithSpeed: 2,
@@ -26,7 +27,10 @@ export const implicitMidpoint = {
     let miss = half * motion.acceleration(s + half * guess, guess)
     let change = miss
     let iterations = 1
-    while (Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) && iterations < MOST_ITERATIONS) {
+    while (
+      Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) &&
+      iterations < MOST_ITERATIONS
+    ) {
       guess += change
       const next = v - guess + half * motion.acceleration(s + half * guess, guess)
       change = next === miss ? 0 : (change * next) / (miss - next)

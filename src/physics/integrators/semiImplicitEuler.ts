@@ -5,7 +5,8 @@ import type { Motion } from '../motion.ts'
 export const semiImplicitEuler = {
   id: 'semi-implicit-euler',
   label: 'Semi-implicit Euler',
-  about: 'Changes the velocity, then moves with the new one: the paper’s step, and that of most game engines.',
+  about:
+    'Changes the velocity, then moves with the new one: the paper’s step, and that of most game engines.',
   formula: ['v′ = v + a(s, v) Δt', 's′ = s + v′ Δt'],
   order: 1,
   orderWithSpeed: 1,

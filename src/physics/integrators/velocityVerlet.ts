@@ -5,8 +5,14 @@ import type { Motion } from '../motion.ts'
 export const velocityVerlet = {
   id: 'velocity-verlet',
   label: 'Velocity Verlet',
-  about: 'Moves along a parabola, then changes the velocity by the mean of both ends’ accelerations: exact where the force is constant.',
-  formula: ['a = a(s, v)', 's′ = s + v Δt + ½ a Δt²', 'a′ = a(s′, v + a Δt)', 'v′ = v + ½ (a + a′) Δt'],
+  about:
+    'Moves along a parabola, then changes the velocity by the mean of both ends’ accelerations: exact where the force is constant.',
+  formula: [
+    'a = a(s, v)',
+    's′ = s + v Δt + ½ a Δt²',
+    'a′ = a(s′, v + a Δt)',
+    'v′ = v + ½ (a + a′) Δt',
+  ],
   order: 2,
   orderWithSpeed: 2,
   stability: 2,

@@ -24,7 +24,8 @@ type FallParameters = Values<typeof parameters>
 export const fall = {
   id: 'fall',
   label: 'Fall',
-  about: 'A ball falls. The simplest motion there is, and with drag one whose force depends on the speed.',
+  about:
+    'A ball falls. The simplest motion there is, and with drag one whose force depends on the speed.',
   parameters,
   duration: 2,
   facing: 1,
@@ -39,7 +40,12 @@ export const fall = {
     // v|v| has a kink at v = 0.
     turnMatters: drag > 0,
   }),
-  place: (_: FallParameters, s: number): Place => ({ x: 0, y: -s, slope: Math.PI / 2, curvature: 0 }),
+  place: (_: FallParameters, s: number): Place => ({
+    x: 0,
+    y: -s,
+    slope: Math.PI / 2,
+    curvature: 0,
+  }),
   potential: ({ gravity }: FallParameters, s: number) => -gravity * s,
   exact: exactFall,
 } as const satisfies Scene

@@ -35,7 +35,8 @@ type HalfPipeParameters = Values<typeof parameters>
 export const halfPipe = {
   id: 'half-pipe',
   label: 'Half-pipe',
-  about: 'To and fro between two walls: who gains energy, who loses it, and who is thrown out of the pipe?',
+  about:
+    'To and fro between two walls: who gains energy, who loses it, and who is thrown out of the pipe?',
   parameters,
   duration: 10,
   facing: 1,

@@ -33,6 +33,7 @@ export const ramp = {
     }
   },
   place: ({ angle }: RampParameters, s: number) => placeOn([straight(angle)], s),
-  potential: ({ angle, gravity }: RampParameters, s: number) => -gravity * sinCosDegrees(angle).sin * s,
+  potential: ({ angle, gravity }: RampParameters, s: number) =>
+    -gravity * sinCosDegrees(angle).sin * s,
   exact: (parameters: RampParameters) => exactTrack([straight(parameters.angle)], parameters),
 } as const satisfies Scene

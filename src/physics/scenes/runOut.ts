@@ -32,14 +32,25 @@ const bendRadius = {
   optional: true,
 } as const satisfies NumberOption
 
-const parameters = { angle, length, bendRadius, muStatic, muKinetic, gravity, mass, position, speed } as const
+const parameters = {
+  angle,
+  length,
+  bendRadius,
+  muStatic,
+  muKinetic,
+  gravity,
+  mass,
+  position,
+  speed,
+} as const
 type RunOutParameters = Values<typeof parameters>
 
 /** Down a hill, round a bend and out on the flat. */
 export const runOut = {
   id: 'run-out',
   label: 'Run-out',
-  about: 'Down a hill, round a bend and out on the flat: where does it stop? The law changes at both ends of the bend.',
+  about:
+    'Down a hill, round a bend and out on the flat: where does it stop? The law changes at both ends of the bend.',
   parameters,
   duration: 4,
   facing: 1,
@@ -69,7 +80,8 @@ export const runOut = {
     }
   },
   place: (parameters: RunOutParameters, s: number) => placeOn(track(parameters), s),
-  potential: (parameters: RunOutParameters, s: number) => parameters.gravity * placeOn(track(parameters), s).y,
+  potential: (parameters: RunOutParameters, s: number) =>
+    parameters.gravity * placeOn(track(parameters), s).y,
   exact: (parameters: RunOutParameters) => exactTrack(track(parameters), parameters),
 } as const satisfies Scene
 
@@ -79,6 +91,16 @@ function track({ angle, length, bendRadius }: RunOutParameters) {
   const end = length + bendRadius * radians(angle)
   const bend = { ...slope, ...top, from: length, to: end, at: length, curvature: 1 / bendRadius }
   const foot = placeOn([bend], end)
-  const flat = { from: end, to: Infinity, at: end, x: foot.x, y: foot.y, slope: 0, sin: 0, cos: 1, curvature: 0 }
+  const flat = {
+    from: end,
+    to: Infinity,
+    at: end,
+    x: foot.x,
+    y: foot.y,
+    slope: 0,
+    sin: 0,
+    cos: 1,
+    curvature: 0,
+  }
   return [slope, bend, flat] as const satisfies Track
 }

@@ -19,14 +19,24 @@ const stiffness = {
   optional: true,
 } as const satisfies NumberOption
 
-const parameters = { angle, stiffness, muStatic, muKinetic, gravity, mass, position, speed } as const
+const parameters = {
+  angle,
+  stiffness,
+  muStatic,
+  muKinetic,
+  gravity,
+  mass,
+  position,
+  speed,
+} as const
 type SpringParameters = Values<typeof parameters>
 
 /** A block on a slope, held by a spring that is slack at s = 0. */
 export const spring = {
   id: 'spring',
   label: 'Spring',
-  about: 'A block on a slope, held by a spring: the stiffer it is, the smaller the step at which a method blows up.',
+  about:
+    'A block on a slope, held by a spring: the stiffer it is, the smaller the step at which a method blows up.',
   parameters,
   duration: 4,
   facing: -1,

@@ -9,18 +9,13 @@ import { stayOnTrack } from './track.ts'
 export const clamped = {
   id: 'clamped',
   label: 'Clamped',
-  about: 'A step that would turn the velocity round ends with v = 0 instead: what games do. At rest, but up to a frame too late.',
+  about:
+    'A step that would turn the velocity round ends with v = 0 instead: what games do. At rest, but up to a frame too late.',
   keepsOrder: false,
   holdsSlip: true,
   // #region advance
   advance(motion: Motion, integrator: Integrator): void {
-    if (motion.v === 0) {
-      motion.elapsed = 0
-      if (!setsOff(motion)) return
-    } else if (motion.v * motion.slip <= 0) {
-      motion.slip = motion.v > 0 ? 1 : -1
-      motion.known = false
-    }
+    if (motion.v === 0 && !setsOff(motion, 0)) return
     const { slip, law } = motion
     motion.begin()
     integrator.step(motion)
@@ -30,7 +25,7 @@ export const clamped = {
       if (slip > 0 ? motion.s < motion.startS : motion.s > motion.startS) motion.s = motion.startS
       motion.known = false
     }
-    settle(motion)
+    settle(motion, motion.dt)
     stayOnTrack(motion)
   },
   // #endregion

@@ -12,44 +12,34 @@ const MOST_EVENTS = 1000
 export const located = {
   id: 'located',
   label: 'Located',
-  about: 'Finds the instant inside the step at which the block stops or meets a joint, and goes on from there: no trace of the frame rate is left.',
+  about:
+    'Finds the instant inside the step at which the block stops or meets a joint, and goes on from there: no trace of the frame rate is left.',
   keepsOrder: true,
   holdsSlip: true,
   // #region advance
   advance(motion: Motion, integrator: Integrator): void {
     const whole = motion.dt
     let rest = whole
-    for (let events = 0; rest > 0 && motion.outcome === 'moving'; events++) {
-      motion.elapsed = whole - rest
-      if (events === MOST_EVENTS) motion.outcome = 'diverged'
-      else if (motion.v !== 0 || setsOff(motion)) {
+    for (let events = 0; rest > 0 && motion.moving; events++) {
+      const elapsed = whole - rest
+      if (events === MOST_EVENTS) motion.end('diverged', elapsed)
+      else if (motion.v !== 0 || setsOff(motion, elapsed)) {
         motion.dt = rest
-        advanceToJump(motion, integrator)
+        advanceToJump(motion, integrator, elapsed)
         rest -= motion.dt
       }
     }
-    if (motion.outcome !== 'moving') motion.elapsed = whole - rest
     motion.dt = whole
   },
   // #endregion
 } as const satisfies StoppingRule
 
 /** Moves on by `motion.dt`, or only to the first jump of the law, and sets `motion.dt` to the time that it took. */
-function advanceToJump(motion: Motion, integrator: Integrator): void {
-  const { law } = motion
-  if (motion.v * motion.slip < 0 || motion.slip === 0) {
-    motion.slip = motion.v > 0 ? 1 : -1
-    motion.known = false
-  }
-  if (motion.slip > 0 ? motion.s >= motion.to : motion.s <= motion.from) motion.enterPiece()
-  if (motion.isOff) {
-    motion.outcome = 'left-the-track'
-    motion.dt = 0
-    return
-  }
+function advanceToJump(motion: Motion, integrator: Integrator, elapsed: number): void {
+  const { slip } = motion
   motion.begin()
   integrator.step(motion)
-  let turned = law.turnMatters && (motion.slip > 0 ? motion.v < 0 : motion.v > 0)
+  let turned = motion.turnMatters && (slip > 0 ? motion.v < 0 : motion.v > 0)
   if (turned) locate(motion, integrator, 'turn')
   const joint = motion.s > motion.to ? 'to' : motion.s < motion.from ? 'from' : undefined
   if (joint) {
@@ -57,7 +47,13 @@ function advanceToJump(motion: Motion, integrator: Integrator): void {
     locate(motion, integrator, joint)
     motion.s = motion[joint]
   }
-  if (turned) motion.v = 0
-  if (turned || joint) motion.known = false
-  settle(motion)
+  if (turned) {
+    motion.v = 0
+    motion.known = false
+  }
+  settle(motion, elapsed + motion.dt)
+  if (joint && motion.moving) {
+    motion.slip = joint === 'to' ? 1 : -1
+    if (!motion.enterPiece()) motion.end('left-the-track', elapsed + motion.dt)
+  }
 }

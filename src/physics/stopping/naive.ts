@@ -8,14 +8,15 @@ import { stayOnTrack } from './track.ts'
 export const naive = {
   id: 'naive',
   label: 'Naive',
-  about: 'Friction points against the velocity and nothing else is done: around v = 0 it pushes to and fro for ever.',
+  about:
+    'Friction points against the velocity and nothing else is done: around v = 0 it pushes to and fro for ever.',
   keepsOrder: false,
   holdsSlip: false,
   // #region advance
   advance(motion: Motion, integrator: Integrator): void {
     motion.begin()
     integrator.step(motion)
-    settle(motion)
+    settle(motion, motion.dt)
     stayOnTrack(motion)
   },
   // #endregion

@@ -19,7 +19,8 @@ const options = { cap } as const
 export const capped = {
   id: 'capped',
   label: 'Capped',
-  about: 'One step a frame, but never longer than the cap: what a slow frame exceeds it by is lost, and the game runs late.',
+  about:
+    'One step a frame, but never longer than the cap: what a slow frame exceeds it by is lost, and the game runs late.',
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,

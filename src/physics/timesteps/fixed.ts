@@ -30,7 +30,8 @@ const options = { step, maxSteps, draw } as const
 export const fixed = {
   id: 'fixed',
   label: 'Fixed',
-  about: 'Physics takes steps of one length whatever the frames do, and the picture is drawn between two of them.',
+  about:
+    'Physics takes steps of one length whatever the frames do, and the picture is drawn between two of them.',
   options,
   losesTime: false,
   steps: ({ step, maxSteps }: Values<typeof options>, duration: number, frames: number) =>
@@ -54,7 +55,8 @@ export const fixed = {
       run.lostTime = dropped * step
       const accumulator = Math.max(0, run.time - (taken + dropped) * step)
       if (draw === 'extrapolated') run.drawnS = motion.s + motion.v * accumulator
-      if (draw === 'interpolated' && taken > 0) run.drawnS = previous + (motion.s - previous) * (accumulator / step)
+      if (draw === 'interpolated' && taken > 0)
+        run.drawnS = previous + (motion.s - previous) * (accumulator / step)
     }
   },
   // #endregion

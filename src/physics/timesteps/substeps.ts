@@ -10,10 +10,12 @@ const options = { step } as const
 export const substeps = {
   id: 'substeps',
   label: 'Substeps',
-  about: 'Cuts each frame into equal parts no longer than a step: finer, but the parts still change with the frame.',
+  about:
+    'Cuts each frame into equal parts no longer than a step: finer, but the parts still change with the frame.',
   options,
   losesTime: false,
-  steps: ({ step }: Values<typeof options>, duration: number, frames: number) => duration / step + frames,
+  steps: ({ step }: Values<typeof options>, duration: number, frames: number) =>
+    duration / step + frames,
   // #region advance
   start: ({ step }: Values<typeof options>) => {
     const lost = new ExactSum()
@@ -36,5 +38,7 @@ export const substeps = {
 function parts(frameDuration: number, step: number): number {
   const whole = wholeSteps(frameDuration, step)
   // A remainder that is only rounding is no part of its own.
-  return frameDuration - whole * step > 8 * Number.EPSILON * frameDuration || whole === 0 ? whole + 1 : whole
+  return frameDuration - whole * step > 8 * Number.EPSILON * frameDuration || whole === 0
+    ? whole + 1
+    : whole
 }

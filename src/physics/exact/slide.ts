@@ -1,0 +1,104 @@
+import type { Piece, Track } from '../track.ts'
+import { slideArc } from './arc.ts'
+import { Phase } from './phase.ts'
+import { slideStraight } from './straight.ts'
+
+/** What a motion on a track starts from, and the law's constants. */
+export interface TrackParameters {
+  readonly gravity: number
+  readonly muStatic: number
+  readonly muKinetic: number
+  readonly position: number
+  readonly speed: number
+}
+
+/** A block on a track, moving from one phase of its motion to the next. */
+export class Slide {
+  /** The phase entered last. One that lasts for ever is the motion's last. */
+  readonly phase = new Phase()
+  /** When that phase began and when it ends [s]. */
+  start = 0
+  time = 0
+  /** The instants at which a block without kinetic friction set off from v = 0 [s]: the third sees the first come again. */
+  readonly turns: number[] = []
+
+  private s: number
+  private v: number
+  /** The slip direction: of the motion, and after a stop of the motion that it ended. */
+  private slip: 1 | -1 | 0
+  private readonly track: Track
+  private readonly gravity: number
+  private readonly muKinetic: number
+  /** Static friction, never taken below kinetic. */
+  private readonly muHold: number
+
+  constructor(track: Track, { gravity, muStatic, muKinetic, position, speed }: TrackParameters) {
+    this.track = track
+    this.gravity = gravity
+    this.muKinetic = muKinetic
+    this.muHold = Math.max(muStatic, muKinetic)
+    this.s = position
+    this.v = speed
+    this.slip = speed > 0 ? 1 : speed < 0 ? -1 : 0
+  }
+
+  /** Enters the next phase. */
+  next(): void {
+    const { phase, gravity, muKinetic, s, v } = this
+    const moves = v !== 0 || this.setsOff()
+    const piece = this.pieceTowards(this.slip)
+    if (!moves || this.slip === 0 || !piece) this.stay()
+    else if (piece.curvature === 0) {
+      const a = gravity * piece.sin - this.slip * muKinetic * (gravity * piece.cos)
+      slideStraight(phase, s, v, this.slip, a, this.slip > 0 ? piece.to : piece.from)
+    } else slideArc(phase, s, v, this.slip, this.slip * muKinetic, gravity, piece)
+    this.start = this.time
+    this.time += phase.lasts
+    this.s = phase.end.s
+    this.v = phase.end.v
+  }
+
+  /** At rest, or off the track, where the state at the lip is kept. */
+  private stay(): void {
+    const { phase } = this
+    phase.degree = 0
+    phase.c[0] = phase.end.s = this.s
+    phase.end.v = this.v
+    phase.lasts = Infinity
+  }
+
+  /** Decides for a block with v = 0 whether it stays, and if not, sets the slip direction. */
+  private setsOff(): boolean {
+    const here = this.pieceTowards(1) ?? this.pieceTowards(-1)
+    if (!here) return false
+    const direction = Math.sign(this.drive(here))
+    // What friction has stopped it holds. Without this, rounding could let go a block that moves by less than an ulp.
+    if (direction === this.slip || direction === 0) return false
+    const ahead = this.pieceTowards(direction)
+    if (!ahead || Math.abs(this.drive(ahead)) <= this.muHold * this.press(ahead)) return false
+    this.slip = direction > 0 ? 1 : -1
+    if (this.muKinetic === 0) this.turns.push(this.time)
+    return true
+  }
+
+  /** The piece that a block moves on or into; undefined where the track ends. */
+  private pieceTowards(direction: number): Piece | undefined {
+    const { track, s } = this
+    return direction > 0
+      ? track.find(({ from, to }) => from <= s && s < to)
+      : track.find(({ from, to }) => from < s && s <= to)
+  }
+
+  /** Gravity along the piece, and into it: the normal force per mass at v = 0 [m/s²]. */
+  private drive(piece: Piece): number {
+    return this.gravity * (piece.curvature === 0 ? piece.sin : Math.sin(this.slope(piece)))
+  }
+
+  private press(piece: Piece): number {
+    return this.gravity * (piece.curvature === 0 ? piece.cos : Math.cos(this.slope(piece)))
+  }
+
+  private slope({ slope, curvature, at }: Piece): number {
+    return slope - curvature * (this.s - at)
+  }
+}

@@ -1,0 +1,145 @@
+import { describe, expect, it } from 'vitest'
+import { frameClocks } from '../../src/physics/index.ts'
+import type { FramesChoice } from '../../src/physics/index.ts'
+import type { FrameClock, Frames } from '../../src/physics/frameClock.ts'
+import { entry } from '../../src/physics/lists.ts'
+
+function start(choice: FramesChoice): Frames {
+  const clock: FrameClock = entry(frameClocks, choice.kind)
+  return clock.start(choice as never)
+}
+
+function ulp(x: number): number {
+  return 2 ** (Math.floor(Math.log2(x)) - 52)
+}
+
+const choices: FramesChoice[] = [
+  { kind: 'steady', fps: 60 },
+  { kind: 'steady', fps: 144 },
+  { kind: 'jitter', fps: 60, amount: 0.9, seed: 3 },
+  { kind: 'hitch', fps: 60, every: 1, length: 0.5 },
+  { kind: 'missed-vsync', fps: 144, seed: 3 },
+  { kind: 'recorded', durations: [0.016, 0.017, 0.0331, 1 / 7] },
+]
+
+describe('frame clocks', () => {
+  it('are all tested here', () => {
+    expect(new Set(choices.map(({ kind }) => kind))).toEqual(
+      new Set(frameClocks.map(({ id }) => id)),
+    )
+  })
+
+  it.each([60, 144])(
+    'ten million steady frames at 1/%i s are not off by an ulp more than one rounding',
+    (fps) => {
+      const frames = start({ kind: 'steady', fps })
+      const count = 10_000_000
+      for (let i = 0; i < count; i++) frames.next()
+      expect(frames.time).toBe(count / fps)
+    },
+  )
+
+  it.each(choices)('ten million frames do not drift: %o', (choice) => {
+    const frames = start(choice)
+    // The sum of all durations as whole numbers of 2⁻⁸⁰ s, which is exact.
+    let exact = 0n
+    const count = 10_000_000
+    const seen = new Map<number, number>()
+    for (let i = 0; i < count; i++) {
+      frames.next()
+      // Jittered durations are all different: their clock counts the stray in whole numbers, checked on its own below.
+      if (choice.kind !== 'jitter') seen.set(frames.duration, (seen.get(frames.duration) ?? 0) + 1)
+    }
+    for (const [duration, times] of seen) exact += BigInt(duration * 2 ** 80) * BigInt(times)
+    // Each duration is itself a rounded number, by half an ulp of its own: half an ulp of the sum at the most.
+    if (choice.kind !== 'jitter')
+      expect(Math.abs(frames.time - Number(exact) / 2 ** 80)).toBeLessThanOrEqual(ulp(frames.time))
+  })
+
+  it('jitter: its time is the sum of its frames, evenly spread within (1 ± amount)/fps', () => {
+    const frames = start({ kind: 'jitter', fps: 50, amount: 0.8, seed: 11 })
+    let exact = 0n
+    let smallest = Infinity
+    let largest = 0
+    const count = 200_000
+    for (let i = 0; i < count; i++) {
+      frames.next()
+      exact += BigInt(Math.round(frames.duration * 2 ** 62)) << 18n
+      smallest = Math.min(smallest, frames.duration)
+      largest = Math.max(largest, frames.duration)
+    }
+    // Roundings of the single durations add up like a walk: their number's square root, in units of 2⁻⁵⁸ s.
+    expect(Math.abs(frames.time - Number(exact) / 2 ** 80)).toBeLessThan(
+      6 * Math.sqrt(count) * 2 ** -58 + ulp(frames.time),
+    )
+    expect(smallest).toBeGreaterThanOrEqual(0.2 / 50)
+    expect(smallest).toBeLessThan(0.201 / 50)
+    expect(largest).toBeLessThanOrEqual(1.8 / 50)
+    expect(largest).toBeGreaterThan(1.799 / 50)
+    // The mean of n even draws scatters by amount/√(3n).
+    expect(Math.abs(frames.time / count - 1 / 50)).toBeLessThan(
+      (6 * 0.8) / 50 / Math.sqrt(3 * count),
+    )
+  })
+
+  it('hitch: one long frame for every interval, the rest steady', () => {
+    const frames = start({ kind: 'hitch', fps: 10, every: 1, length: 0.5 })
+    const durations: number[] = []
+    while (frames.time < 3) {
+      frames.next()
+      durations.push(frames.duration)
+    }
+    const long = durations.flatMap((duration, i) => (duration === 0.5 ? [i] : []))
+    // Ten frames to 1 s, a hitch to 1.5 s, five frames to 2 s, a hitch.
+    expect(long).toEqual([10, 16])
+    expect(
+      durations.filter((duration) => duration !== 0.5).every((duration) => duration === 0.1),
+    ).toBe(true)
+  })
+
+  it('hitch: one longer than its interval does not swallow everything', () => {
+    const frames = start({ kind: 'hitch', fps: 10, every: 0.3, length: 0.4 })
+    const kinds = new Set<number>()
+    for (let i = 0; i < 20; i++) {
+      frames.next()
+      kinds.add(frames.duration)
+    }
+    expect(kinds).toEqual(new Set([0.1, 0.4]))
+  })
+
+  it('missed vsync: whole refreshes, one or two, each about half of the time', () => {
+    const frames = start({ kind: 'missed-vsync', fps: 60, seed: 5 })
+    let twice = 0
+    const count = 100_000
+    for (let i = 0; i < count; i++) {
+      frames.next()
+      expect([1 / 60, 2 / 60]).toContain(frames.duration)
+      if (frames.duration > 0.02) twice++
+    }
+    // Six standard deviations of a fair coin.
+    expect(Math.abs(twice - count / 2)).toBeLessThan(3 * Math.sqrt(count))
+  })
+
+  it('recorded: from the start again when it runs out', () => {
+    const frames = start({ kind: 'recorded', durations: [0.25, 0.5] })
+    const times = Array.from({ length: 4 }, () => (frames.next(), frames.time))
+    expect(times).toEqual([0.25, 0.75, 1, 1.5])
+  })
+
+  it.each(choices)('tell their rate in the long run: %o', (choice) => {
+    const clock: FrameClock = entry(frameClocks, choice.kind)
+    const frames = start(choice)
+    for (let i = 0; i < 100_000; i++) frames.next()
+    // Chance leaves at most six standard deviations of the mean, below 1 %.
+    expect(Math.abs((clock.rate(choice as never) * frames.time) / 100_000 - 1)).toBeLessThan(0.01)
+  })
+
+  it('draw the same frames for the same seed, and others for another', () => {
+    const durations = (seed: number) => {
+      const frames = start({ kind: 'jitter', fps: 60, amount: 0.5, seed })
+      return Array.from({ length: 10 }, () => (frames.next(), frames.duration))
+    }
+    expect(durations(1)).toEqual(durations(1))
+    expect(durations(1)).not.toEqual(durations(2))
+  })
+})

@@ -1,0 +1,48 @@
+import { scenes } from '../../src/physics/index.ts'
+import type { Experiment, Outcome, SceneId } from '../../src/physics/index.ts'
+import cases from './truth.json'
+
+/** A motion that was computed to 20 digits by independent means: see README.md beside this file. */
+export interface TruthCase {
+  name: string
+  /** Scene, parameters and duration; the rest is for a test to add. */
+  experiment: Experiment
+  duration: number
+  s: number
+  v: number
+  stops: readonly number[]
+  outcome: Outcome['kind']
+}
+
+/** What a case does not name is 0 there, but gravity and mass. */
+const unnamed: Record<string, number> = { gravity: 9.81, mass: 1 }
+
+export const truth: readonly TruthCase[] = cases.map((each, i) => {
+  const { parameters } = scenes.find(({ id }) => id === each.scene)!
+  const given = each.parameters as Record<string, number | undefined>
+  return {
+    name: `${i}: ${each.scene} ${JSON.stringify(each.parameters)}`,
+    experiment: {
+      scene: each.scene as SceneId,
+      parameters: Object.fromEntries(
+        Object.keys(parameters).map((name) => [name, given[name] ?? unnamed[name] ?? 0]),
+      ),
+      duration: each.duration,
+    },
+    duration: each.duration,
+    s: Number(each.s),
+    v: Number(each.v),
+    stops: each.stops.map(Number),
+    outcome: each.outcome as Outcome['kind'],
+  }
+})
+
+/** An error as the promises are made: relative to the distance, or absolute below a metre. */
+export function relative(error: number, s: number): number {
+  return Math.abs(error) / Math.max(1, Math.abs(s))
+}
+
+/** The last element. */
+export function last(values: Float64Array): number {
+  return values[values.length - 1]!
+}
