@@ -4,7 +4,7 @@ import { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
 import type { Scene, State } from './scene.ts'
 import { scenes } from './scenes/index.ts'
-import { SinCos } from './trigonometry.ts'
+import { sinCos } from './trigonometry.ts'
 import { dot, plus, times } from './vector.ts'
 import type { Vector } from './vector.ts'
 
@@ -38,13 +38,12 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const scene: Scene = entry(scenes, id)
   const law = scene.law(parameters)
   const { slope } = scene.place(parameters, s)
-  const direction = new SinCos()
-  direction.of(slope)
+  const direction = sinCos(slope)
   const along = { x: direction.cos, y: -direction.sin }
   const across = { x: direction.sin, y: direction.cos }
   const motion = new Motion(law, s, v)
-  const press = motion.pressAt(s, v)
-  const { drive } = motion
+  motion.feel()
+  const { drive, press } = motion
   const held = v === 0 && Math.abs(drive) <= law.muStatic * press
   const slip = v > 0 || (v === 0 && drive > 0) ? 1 : -1
   const gravity = { x: 0, y: -law.mass * parameters.gravity! }

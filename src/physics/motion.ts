@@ -33,7 +33,7 @@ export interface Law {
 export class Motion {
   s = NaN
   v = NaN
-  /** The acceleration that `acceleration` found last [m/s²]. */
+  /** The acceleration that `accelerate` found last [m/s²]. */
   a = NaN
   /** Every force along the track but friction, per mass [m/s²]. */
   drive = NaN
@@ -43,7 +43,9 @@ export class Motion {
   dt = NaN
   /** Energy that friction has turned into heat [J]. */
   heat = NaN
-  /** How far into the step asked for the block came to rest, left the track or diverged [s]. */
+  /** How far before the jump that is looked for a tried step ended: negative past it. */
+  miss = NaN
+  /** How far into the step asked for the motion has got [s]. */
   elapsed = NaN
 
   /** The slip direction: the side to which friction does not point. */
@@ -102,23 +104,20 @@ export class Motion {
     this.enterPiece()
   }
 
-  /** dv/dt at the distance `s` and speed `v` [m/s²]. Moves the motion there: an integrator sets `s` and `v` when it is done. */
-  acceleration(s: number, v: number): number {
-    this.s = s
-    this.v = v
+  /**
+   * Sets `a` to dv/dt at the present `s` and `v` [m/s²]. An integrator moves the motion to wherever it wants to look.
+   * Numbers come and go in fields, since engines box one that is passed to a function or returned from it.
+   */
+  accelerate(): void {
     this.evaluations++
     this.forces(this)
-    const slip = this.slipHeld ? this.slip : v > 0 ? 1 : v < 0 ? -1 : 0
+    const slip = this.slipHeld ? this.slip : this.v > 0 ? 1 : this.v < 0 ? -1 : 0
     this.a = this.drive - slip * this.muKinetic * this.press
-    return this.a
   }
 
-  /** Normal force per mass at the distance `s` and speed `v` [m/s²]. Moves the motion there. */
-  pressAt(s: number, v: number): number {
-    this.s = s
-    this.v = v
+  /** Sets `drive` and `press` to what they are at the present `s` and `v`. */
+  feel(): void {
     this.forces(this)
-    return this.press
   }
 
   /** Whether friction keeps to `slip` or takes the sign of v at every evaluation. */
@@ -164,10 +163,9 @@ export class Motion {
     return !open || (piece > 0 && piece < joints.length)
   }
 
-  /** Ends the motion: nothing that is left of the step, and no later one, changes it. `elapsed` seconds of the step had passed. */
-  end(outcome: 'at-rest' | 'left-the-track' | 'diverged', elapsed: number): void {
+  /** Ends the motion: nothing that is left of the step, and no later one, changes it. */
+  end(outcome: 'at-rest' | 'left-the-track' | 'diverged'): void {
     this.moving = false
     this.outcome = outcome
-    this.elapsed = elapsed
   }
 }

@@ -75,7 +75,7 @@ function boundWork({ duration, frames, timestep }: ResolvedExperiment, reader: R
 }
 
 function count(x: number): string {
-  return Math.ceil(x - 1e-6 * x)
+  return Math.round(x)
     .toString()
     .replace(/\B(?=(\d{3})+$)/g, '\u202f')
 }

@@ -47,7 +47,10 @@ export function nearest(written: string, known: readonly string[]): string | und
   let best: string | undefined
   let fewest = Math.max(2, written.length / 2) + 1
   for (const name of known) {
-    const edits = editDistance(written.toLowerCase(), name.toLowerCase())
+    const wanted = name.toLowerCase()
+    // Half of a long name is as good as a slip of the pen.
+    const isPart = written.length > 2 && wanted.includes(written.toLowerCase())
+    const edits = isPart ? 1 : editDistance(written.toLowerCase(), wanted)
     if (edits < fewest) {
       fewest = edits
       best = name

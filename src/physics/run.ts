@@ -25,21 +25,21 @@ export class Run {
   /** The block: `s` [m] and `v` [m/s] are its state. */
   readonly motion: Motion
   /** Time on the wall clock, the sum of all frames [s]. */
-  time = 0
+  time = NaN
   /** The time that the physics state stands at [s]. */
-  stateTime = 0
+  stateTime = NaN
   /** How long the present frame lasts [s]. */
-  frameDuration = 0
+  frameDuration = NaN
   /** The position that the frame shows [m]. */
-  drawnS: number
+  drawnS = NaN
   /** Frame time that the timestep policy dropped [s]. */
-  lostTime = 0
+  lostTime = NaN
   /** Frames so far. */
   frames = 0
   /** Steps that the timestep policy asked for. */
   steps = 0
 
-  private outcomeTime = 0
+  private outcomeTime = NaN
   private readonly wallClock = new ExactSum()
   private readonly integrator: Integrator
   private readonly stopping: StoppingRule
@@ -56,6 +56,7 @@ export class Run {
     this.motion = new Motion(law, parameters.position!, parameters.speed!)
     this.motion.holdSlip(this.stopping.holdsSlip)
     this.drawnS = this.motion.s
+    this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
 
   /** How the run stands. Once the block has left the track or diverged, further frames change nothing but the clock. */
@@ -92,15 +93,18 @@ export class Run {
         `A frame of ${String(duration)} s: a frame lasts a finite number of seconds, 0 or more.`,
       )
     this.wallClock.add(duration)
-    this.frameUntil(duration, this.wallClock.value)
+    this.frameDuration = duration
+    this.time = this.wallClock.value
+    this.advanceFrame()
   }
 
-  /** As `frame`, by a clock that counts for itself: `time` is the wall clock at the frame's end [s]. */
-  frameUntil(duration: number, time: number): void {
+  /**
+   * As `frame`, for a clock that counts for itself and has set `frameDuration` and `time`. They are not passed as
+   * arguments, since engines box a number that is.
+   */
+  advanceFrame(): void {
     this.frames++
-    this.time = time
     if (this.ended) return
-    this.frameDuration = duration
     this.advance(this)
     if (this.ended) {
       this.stateTime = this.outcomeTime
@@ -108,11 +112,10 @@ export class Run {
     }
   }
 
-  /** Takes a step of the motion, of `dt` seconds: what a timestep policy calls. */
-  step(dt: number): void {
+  /** Takes a step of `motion.dt` seconds: what a timestep policy calls. */
+  step(): void {
     const { motion } = this
     if (motion.moving) {
-      motion.dt = dt
       this.stopping.advance(motion, this.integrator)
       if (!motion.moving) this.outcomeTime = this.stateTime + motion.elapsed
       this.drawnS = motion.s

@@ -1,12 +1,9 @@
 import type { Motion } from './motion.ts'
 
-/**
- * Ends a step that is accepted: adds the heat that friction made in it, and notices a speed that no real motion has.
- * `elapsed` is how far the step has got into the one asked for [s].
- */
-export function settle(motion: Motion, elapsed: number): void {
+/** Ends a step that is accepted: adds the heat that friction made in it, and notices a speed that no real motion has. */
+export function settle(motion: Motion): void {
   if (!(Math.abs(motion.v) <= motion.speedLimit)) {
-    motion.end('diverged', elapsed)
+    motion.end('diverged')
     // What a trajectory holds is always a number that can be drawn.
     if (!(Math.abs(motion.s) + Math.abs(motion.v) < Infinity)) motion.rewind()
     return
@@ -26,11 +23,16 @@ function addHeat(motion: Motion): void {
   const { s, v, startS, startV, dt, a } = motion
   const distance = s - startS
   const ends = (startV + v) / 4
-  const pressed =
-    motion.pressAt(startS, startV) * startV * dt +
-    motion.pressAt(0.5 * (startS + s) + 0.125 * dt * (startV - v), (1.5 * distance) / dt - ends) *
-      (6 * distance - 4 * ends * dt) +
-    motion.pressAt(s, v) * v * dt
+  motion.feel()
+  let pressed = motion.press * v * dt
+  motion.s = startS
+  motion.v = startV
+  motion.feel()
+  pressed += motion.press * startV * dt
+  motion.s = 0.5 * (startS + s) + 0.125 * dt * (startV - v)
+  motion.v = (1.5 * distance) / dt - ends
+  motion.feel()
+  pressed += motion.press * (6 * distance - 4 * ends * dt)
   motion.heat += (motion.rubbingMass * Math.abs(pressed)) / 6
   motion.s = s
   motion.v = v

@@ -44,7 +44,8 @@ function nextFrame(run: Run, frames: Frames, duration: number): void {
   frames.next()
   // A frame that would leave only rounding behind it is the last.
   const slack = 1e-9 * frames.duration
-  if (frames.time < duration - slack) run.frameUntil(frames.duration, frames.time)
-  else if (frames.time <= duration + slack) run.frameUntil(frames.duration, duration)
-  else run.frameUntil(duration - run.time, duration)
+  const over = frames.time - duration
+  run.frameDuration = over > slack ? duration - run.time : frames.duration
+  run.time = over >= -slack ? duration : frames.time
+  run.advanceFrame()
 }

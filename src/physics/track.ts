@@ -1,5 +1,5 @@
 import type { Place } from './scene.ts'
-import { SinCos, radians, sinCosDegrees } from './trigonometry.ts'
+import { sinCos, radians, sinCosDegrees } from './trigonometry.ts'
 
 /** A stretch of track of constant curvature, from one distance along it to another [m]. */
 export interface Piece {
@@ -33,8 +33,7 @@ export function placeOn(track: Track, s: number): Place {
   const { at, x, y, slope, sin, cos, curvature } = piece
   const distance = s - at
   if (curvature === 0) return { x: x + cos * distance, y: y - sin * distance, slope, curvature }
-  const turned = new SinCos()
-  turned.of(slope - curvature * distance)
+  const turned = sinCos(slope - curvature * distance)
   return {
     x: x + (sin - turned.sin) / curvature,
     y: y - (turned.cos - cos) / curvature,

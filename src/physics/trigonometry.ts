@@ -15,74 +15,75 @@ const HALF_PI_3 = 2.0222662487959506e-21
 // already diverged asks for more, and any finite answer serves it.
 const LARGEST = 1e9
 
-/** The sine and cosine of one angle; `of` sets both. Results stand in fields, since a returned number may be boxed. */
-export class SinCos {
-  sin = 0.5
-  cos = 0.5
+// Taylor's coefficients, ±1/n!.
+const S3 = -1 / 6
+const S5 = 1 / 120
+const S7 = -1 / 5040
+const S9 = 1 / 362880
+const S11 = -1 / 39916800
+const S13 = 1 / 6227020800
+const S15 = -1 / 1307674368000
+const S17 = 1 / 355687428096000
+const C4 = 1 / 24
+const C6 = -1 / 720
+const C8 = 1 / 40320
+const C10 = -1 / 3628800
+const C12 = 1 / 479001600
+const C14 = -1 / 87178291200
+const C16 = 1 / 20922789888000
 
-  /** Sets `sin` and `cos` to those of an angle [rad]. Odd and even to the bit: sin −x = −sin x. */
-  of(angle: number): void {
-    const size = Math.abs(angle)
-    const sign = angle < 0 ? -1 : 1
+/**
+ * The sine and cosine of one angle: set `angle` [rad], call `find`, read `sin` and `cos`. Numbers stand in fields, since
+ * engines box one that is passed to a function or returned from it.
+ */
+export class SinCos {
+  angle = NaN
+  sin = NaN
+  cos = NaN
+  reduced = NaN
+  tail = NaN
+
+  /** Sets `sin` and `cos` to those of `angle`. Odd and even to the bit: sin −x = −sin x. */
+  find(): void {
+    const size = Math.abs(this.angle)
+    const sign = this.angle < 0 ? -1 : 1
     if (size < Math.PI / 4) {
-      this.near(size, 0)
+      this.reduced = size
+      this.tail = 0
+      this.findReduced()
       this.sin *= sign
     } else if (size < LARGEST) {
-      const turns = Math.round(size * TWO_OVER_PI)
-      const rest = size - turns * HALF_PI_1
-      const correction = turns * HALF_PI_2
+      const quarters = Math.round(size * TWO_OVER_PI)
+      const rest = size - quarters * HALF_PI_1
+      const correction = quarters * HALF_PI_2
       const reduced = rest - correction
-      this.near(reduced, rest - reduced - correction - turns * HALF_PI_3)
-      this.rotate(turns % 4, sign)
+      this.reduced = reduced
+      this.tail = rest - reduced - correction - quarters * HALF_PI_3
+      this.findReduced()
+      this.rotate(quarters % 4, sign)
     } else {
-      this.sin = angle === angle ? 0 : NaN
-      this.cos = angle === angle ? 1 : NaN
+      this.sin = 0 * this.angle
+      this.cos = 1 + this.sin
     }
   }
 
   /**
-   * Sets `sin` and `cos` to those of x + tail, |x| ≤ π/4 and the tail below an ulp of x. Taylor's series: the
-   * first term left out, x¹⁹/19!, is below 2⁻⁵³/1000 of the sum there.
+   * Sets `sin` and `cos` to those of `reduced` + `tail`, the first of them at most π/4, the second below its ulp. Taylor's
+   * series: the first term left out, x¹⁹/19!, is below a thousandth of an ulp there.
    */
-  near(x: number, tail: number): void {
+  findReduced(): void {
+    const x = this.reduced
     const z = x * x
-    this.sin =
-      x +
-      (x *
-        z *
-        (-1 / 6 +
-          z *
-            (1 / 120 +
-              z *
-                (-1 / 5040 +
-                  z *
-                    (1 / 362880 +
-                      z *
-                        (-1 / 39916800 +
-                          z *
-                            (1 / 6227020800 + z * (-1 / 1307674368000 + z / 355687428096000))))))) +
-        tail * (1 - 0.5 * z))
+    const sineTail =
+      S3 + z * (S5 + z * (S7 + z * (S9 + z * (S11 + z * (S13 + z * (S15 + z * S17))))))
+    this.sin = x + (x * z * sineTail + this.tail * (1 - 0.5 * z))
+    const cosineTail = C4 + z * (C6 + z * (C8 + z * (C10 + z * (C12 + z * (C14 + z * C16)))))
     const head = 1 - 0.5 * z
     // What rounding took from `head` comes back in (1 − head) − z/2, which is exact.
-    this.cos =
-      head +
-      (1 -
-        head -
-        0.5 * z +
-        (z *
-          z *
-          (1 / 24 +
-            z *
-              (-1 / 720 +
-                z *
-                  (1 / 40320 +
-                    z *
-                      (-1 / 3628800 +
-                        z * (1 / 479001600 + z * (-1 / 87178291200 + z / 20922789888000)))))) -
-          x * tail))
+    this.cos = head + (1 - head - 0.5 * z + (z * z * cosineTail - x * this.tail))
   }
 
-  /** Turns the angle found by `near` on by that many quarter turns, then mirrors it. */
+  /** Turns the angle just found on by that many quarter turns, then mirrors it. */
   private rotate(quarters: number, sign: number): void {
     const { sin, cos } = this
     if (quarters === 0) {
@@ -98,6 +99,14 @@ export class SinCos {
       this.cos = sin
     }
   }
+}
+
+/** The sine and cosine of an angle [rad]. */
+export function sinCos(angle: number): SinCos {
+  const result = new SinCos()
+  result.angle = angle
+  result.find()
+  return result
 }
 
 const DEGREE = Math.PI / 180
@@ -120,7 +129,9 @@ export function sinCosDegrees(angle: number): SinCos {
   const degrees = mirrored ? 90 - size : size
   const product = degrees * DEGREE
   const result = new SinCos()
-  result.near(product, productError(degrees, DEGREE, product) + degrees * DEGREE_REST)
+  result.reduced = product
+  result.tail = productError(degrees, DEGREE, product) + degrees * DEGREE_REST
+  result.findReduced()
   if (mirrored) [result.sin, result.cos] = [result.cos, result.sin]
   if (angle < 0) result.sin = -result.sin
   return result

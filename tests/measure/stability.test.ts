@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest'
 import { stabilityLimit, staysBounded } from '../../src/measure/index.ts'
 import { integrators } from '../../src/physics/index.ts'
-import type { Integrator } from '../../src/physics/index.ts'
+import type { Integrator, IntegratorId } from '../../src/physics/index.ts'
 
-const methods: readonly Integrator[] = integrators
+const methods: readonly (Integrator & { readonly id: IntegratorId })[] = integrators
 
 describe('the stability limit on the frictionless spring', () => {
   it.each(methods.filter(({ stability }) => stability > 0 && stability < Infinity))(

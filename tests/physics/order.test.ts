@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest'
 import { fittedOrder, trajectoryErrors } from '../../src/measure/index.ts'
 import { integrators, simulate } from '../../src/physics/index.ts'
-import type { Experiment, Integrator, StoppingId } from '../../src/physics/index.ts'
+import type { Experiment, Integrator, IntegratorId, StoppingId } from '../../src/physics/index.ts'
 
 const FRAMES_A_SECOND = 20
 
 /** The power of the step with which the RMS error over some runs falls; each frame is cut into `parts` steps. */
 function measuredOrder(
   experiments: readonly Experiment[],
-  { id }: Integrator,
+  { id }: Method,
   stopping: StoppingId,
   parts: readonly number[],
 ): number {
@@ -34,7 +34,9 @@ function parts({ order }: Integrator): number[] {
   return order > 2 ? [3, 4, 6, 8, 11, 16, 23] : [16, 23, 32, 45, 64, 91, 128, 181]
 }
 
-const methods: readonly Integrator[] = integrators
+type Method = Integrator & { readonly id: IntegratorId }
+
+const methods: readonly Method[] = integrators
 
 const situations: { name: string; speedMatters: boolean; experiment: Experiment }[] = [
   {

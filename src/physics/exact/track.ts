@@ -12,16 +12,17 @@ const PHASE_DEGREE = 3
 const COEFFICIENTS = 4
 const ROW = COEFFICIENTS + DEGREE + 1
 
-// 2¹⁷ phases are 30 MB, and 20 000 s in the half-pipe. Only hardly any friction makes more; then old ones give way.
-const MOST_ROWS = 131072
+// 30 MB, 20 000 s in the half-pipe. Friction in all but name (μk below 1e-5) in a small, heavy pipe would go on to
+// 1e11 phases within the longest run there is, and the page would hang.
+const MOST_PHASES = 131072
 
 /**
  * A motion on a track of straights and bends that bend upwards, with friction: parabolas on the straights, Taylor's
  * series on the bends, each up to the instant of a stop or a joint. A block that reaches an outer end of the track has
- * left it: from then on its state is the one that it had there.
+ * left it: from then on its state is the one that it had there. NaN at a time that `MOST_PHASES` do not reach.
  */
 export function exactTrack(track: Track, parameters: TrackParameters): ExactMotion {
-  const phases = new Phases(track, parameters)
+  const phases = new Phases(new Slide(track, parameters))
   return (t, into) => phases.state(t, into)
 }
 
@@ -31,14 +32,10 @@ class Phases {
   private count = 0
   /** The row found last. */
   private found = 0
-  private slide: Slide
-  private readonly track: Track
-  private readonly parameters: TrackParameters
+  private readonly slide: Slide
 
-  constructor(track: Track, parameters: TrackParameters) {
-    this.track = track
-    this.parameters = parameters
-    this.slide = new Slide(track, parameters)
+  constructor(slide: Slide) {
+    this.slide = slide
   }
 
   state(t: number, into: State): State {
@@ -57,15 +54,17 @@ class Phases {
     return into
   }
 
-  /** Computes the phases up to a time. Returns that time, or the one in the first period that it repeats. */
+  /**
+   * Computes the phases up to a time. Returns that time, or the one in the first period that it repeats, or NaN where
+   * it is out of reach.
+   */
   private reach(t: number): number {
-    if (t < this.rows[START]!) {
-      this.count = this.found = 0
-      this.slide = new Slide(this.track, this.parameters)
-    }
     const { slide } = this
     const { turns } = slide
-    while (t >= slide.time && slide.time < Infinity && turns.length < 3) this.append()
+    while (t >= slide.time && slide.time < Infinity && turns.length < 3) {
+      if (this.count === MOST_PHASES) return NaN
+      this.append()
+    }
     if (t < slide.time || turns.length < 3) return t
     // Without kinetic friction, and between two turning points, the motion is periodic: no error grows with the swings.
     return turns[0]! + ((t - turns[0]!) % (turns[2]! - turns[0]!))
@@ -75,7 +74,6 @@ class Phases {
     const { slide } = this
     const { phase } = slide
     slide.next()
-    if (this.count === MOST_ROWS) this.count = this.found = 0
     const row = this.count++ * ROW
     if (row === this.rows.length) {
       const larger = new Float64Array(2 * row)

@@ -17,9 +17,9 @@ export const explicitEuler = {
   // #region step
   step(motion: Motion): void {
     const { s, v, dt } = motion
-    const a = motion.acceleration(s, v)
+    motion.accelerate()
     motion.s = s + v * dt
-    motion.v = v + a * dt
+    motion.v = v + motion.a * dt
   },
   // #endregion
 } as const satisfies Integrator

@@ -22,9 +22,11 @@ export const implicitMidpoint = {
   step(motion: Motion): void {
     const { s, v, dt } = motion
     const half = 0.5 * dt
-    // By how much a guess of the mean velocity misses its equation; the secant through the last two misses gives the next.
+    // By how much a guess of v̄ misses its equation; the secant through the last two misses gives the next guess.
     let guess = v
-    let miss = half * motion.acceleration(s + half * guess, guess)
+    motion.s = s + half * guess
+    motion.accelerate()
+    let miss = half * motion.a
     let change = miss
     let iterations = 1
     while (
@@ -32,7 +34,10 @@ export const implicitMidpoint = {
       iterations < MOST_ITERATIONS
     ) {
       guess += change
-      const next = v - guess + half * motion.acceleration(s + half * guess, guess)
+      motion.s = s + half * guess
+      motion.v = guess
+      motion.accelerate()
+      const next = v - guess + half * motion.a
       change = next === miss ? 0 : (change * next) / (miss - next)
       miss = next
       iterations++

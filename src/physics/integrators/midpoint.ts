@@ -16,10 +16,13 @@ export const midpoint = {
   // #region step
   step(motion: Motion): void {
     const { s, v, dt } = motion
-    const vHalf = v + 0.5 * dt * motion.acceleration(s, v)
-    const aHalf = motion.acceleration(s + 0.5 * dt * v, vHalf)
+    motion.accelerate()
+    const vHalf = v + 0.5 * dt * motion.a
+    motion.s = s + 0.5 * dt * v
+    motion.v = vHalf
+    motion.accelerate()
     motion.s = s + vHalf * dt
-    motion.v = v + aHalf * dt
+    motion.v = v + motion.a * dt
   },
   // #endregion
 } as const satisfies Integrator

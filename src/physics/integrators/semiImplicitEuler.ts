@@ -17,8 +17,8 @@ export const semiImplicitEuler = {
   // #region step
   step(motion: Motion): void {
     const { s, v, dt } = motion
-    const a = motion.acceleration(s, v)
-    motion.v = v + a * dt
+    motion.accelerate()
+    motion.v = v + motion.a * dt
     motion.s = s + motion.v * dt
   },
   // #endregion

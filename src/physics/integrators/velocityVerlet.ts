@@ -23,10 +23,12 @@ export const velocityVerlet = {
   step(motion: Motion): void {
     const { s, v, dt } = motion
     // The last step's a′ is this step's a, unless the force looks at the velocity.
-    const a = motion.known ? motion.a : motion.acceleration(s, v)
-    const s1 = s + (v + 0.5 * a * dt) * dt
-    const a1 = motion.acceleration(s1, v + a * dt)
-    motion.v = v + 0.5 * (a + a1) * dt
+    if (!motion.known) motion.accelerate()
+    const { a } = motion
+    motion.s = s + (v + 0.5 * a * dt) * dt
+    motion.v = v + a * dt
+    motion.accelerate()
+    motion.v = v + 0.5 * (a + motion.a) * dt
     motion.known = motion.reusable
   },
   // #endregion

@@ -4,7 +4,7 @@ import type { NumberOption, Values } from '../options.ts'
 import type { Scene } from '../scene.ts'
 import { placeOn } from '../track.ts'
 import type { Track } from '../track.ts'
-import { SinCos } from '../trigonometry.ts'
+import { SinCos, sinCos } from '../trigonometry.ts'
 import { rubbing } from './law.ts'
 import * as shared from './parameters.ts'
 
@@ -53,7 +53,8 @@ export const halfPipe = {
       ...rubbing(mass, muStatic, muKinetic),
       // #region forces
       forces: (motion: Motion) => {
-        direction.of(motion.s / radius)
+        direction.angle = motion.s / radius
+        direction.find()
         motion.drive = -gravity * direction.sin
         motion.press = gravity * direction.cos + (motion.v * motion.v) / radius
       },
@@ -67,9 +68,8 @@ export const halfPipe = {
   place: ({ radius }: HalfPipeParameters, s: number) => placeOn(track(radius), s),
   potential: ({ radius, gravity }: HalfPipeParameters, s: number) => {
     // 1 − cos θ = 2 sin² θ/2, without the cancellation near the bottom.
-    const half = new SinCos()
-    half.of(s / radius / 2)
-    return 2 * gravity * radius * half.sin * half.sin
+    const { sin } = sinCos(s / radius / 2)
+    return 2 * gravity * radius * sin * sin
   },
   exact: (parameters: HalfPipeParameters) => exactTrack(track(parameters.radius), parameters),
 } as const satisfies Scene

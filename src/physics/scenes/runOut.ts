@@ -63,7 +63,8 @@ export const runOut = {
       // #region forces
       forces: (motion: Motion) => {
         if (motion.piece === 1) {
-          direction.of(bend.slope - bend.curvature * (motion.s - bend.at))
+          direction.angle = bend.slope - bend.curvature * (motion.s - bend.at)
+          direction.find()
           motion.drive = gravity * direction.sin
           motion.press = gravity * direction.cos + motion.v * motion.v * bend.curvature
         } else {

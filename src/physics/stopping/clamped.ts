@@ -15,7 +15,8 @@ export const clamped = {
   holdsSlip: true,
   // #region advance
   advance(motion: Motion, integrator: Integrator): void {
-    if (motion.v === 0 && !setsOff(motion, 0)) return
+    motion.elapsed = 0
+    if (motion.v === 0 && !setsOff(motion)) return
     const { slip, law } = motion
     motion.begin()
     integrator.step(motion)
@@ -25,7 +26,8 @@ export const clamped = {
       if (slip > 0 ? motion.s < motion.startS : motion.s > motion.startS) motion.s = motion.startS
       motion.known = false
     }
-    settle(motion, motion.dt)
+    motion.elapsed = motion.dt
+    settle(motion)
     stayOnTrack(motion)
   },
   // #endregion

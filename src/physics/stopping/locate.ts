@@ -15,17 +15,21 @@ const MOST_ITERATIONS = 100
  * so that the bracket is sure to close.
  */
 export function locate(motion: Motion, integrator: Integrator, jump: Jump): void {
+  aim(motion, jump)
   let late = motion.dt
-  let missLate = distanceTo(motion, jump)
-  let early = 0
+  let missLate = motion.miss
   motion.rewind()
-  let missEarly = distanceTo(motion, jump)
+  aim(motion, jump)
+  let early = 0
+  let missEarly = motion.miss
   const scale = jump === 'turn' ? Math.abs(motion.v) : Math.abs(motion[jump])
   const small = Number.EPSILON * Math.max(scale, Math.abs(missLate), Math.abs(missEarly))
   if (missEarly <= 0) {
     // The step begins at the very jump that it comes back to: look for a length before that.
     for (early = late / 2; early > 0; early /= 2) {
-      missEarly = retry(motion, integrator, early, jump)
+      motion.dt = early
+      retry(motion, integrator, jump)
+      missEarly = motion.miss
       if (missEarly > 0) break
       late = early
       missLate = missEarly
@@ -36,7 +40,9 @@ export function locate(motion: Motion, integrator: Integrator, jump: Jump): void
   for (let i = 1; i <= MOST_ITERATIONS; i++) {
     let length = early + ((late - early) * missEarly) / (missEarly - missLate)
     if (i % 8 === 0 || !(length > early && length < late)) length = early + 0.5 * (late - early)
-    const miss = retry(motion, integrator, length, jump)
+    motion.dt = length
+    retry(motion, integrator, jump)
+    const { miss } = motion
     if (Math.abs(miss) <= small || late - early <= Number.EPSILON * late) return
     // An end that has stayed where it is while the other moved twice is given less weight, so that it moves next.
     if (miss > 0) {
@@ -58,16 +64,19 @@ function lessWeight(miss: number, before: number): number {
   return factor > 0 ? factor : 0.5
 }
 
-/** Takes the step again with another length; returns how far before the jump it ends. */
-function retry(motion: Motion, integrator: Integrator, length: number, jump: Jump): number {
+/** Takes the step again, now of `motion.dt`. */
+function retry(motion: Motion, integrator: Integrator, jump: Jump): void {
   motion.rewind()
-  motion.dt = length
   integrator.step(motion)
-  return distanceTo(motion, jump)
+  aim(motion, jump)
 }
 
-/** How far before the jump the motion is: positive before, negative past it. */
-function distanceTo(motion: Motion, jump: Jump): number {
-  if (jump === 'turn') return motion.slip * motion.v
-  return jump === 'to' ? motion.to - motion.s : motion.s - motion.from
+/** Sets `miss` to how far before the jump the motion is. */
+function aim(motion: Motion, jump: Jump): void {
+  motion.miss =
+    jump === 'turn'
+      ? motion.slip * motion.v
+      : jump === 'to'
+        ? motion.to - motion.s
+        : motion.s - motion.from
 }

@@ -19,14 +19,12 @@ export const located = {
   // #region advance
   advance(motion: Motion, integrator: Integrator): void {
     const whole = motion.dt
-    let rest = whole
-    for (let events = 0; rest > 0 && motion.moving; events++) {
-      const elapsed = whole - rest
-      if (events === MOST_EVENTS) motion.end('diverged', elapsed)
-      else if (motion.v !== 0 || setsOff(motion, elapsed)) {
-        motion.dt = rest
-        advanceToJump(motion, integrator, elapsed)
-        rest -= motion.dt
+    motion.elapsed = 0
+    for (let events = 0; motion.elapsed < whole && motion.moving; events++) {
+      if (events === MOST_EVENTS) motion.end('diverged')
+      else if (motion.v !== 0 || setsOff(motion)) {
+        motion.dt = whole - motion.elapsed
+        advanceToJump(motion, integrator)
       }
     }
     motion.dt = whole
@@ -34,8 +32,8 @@ export const located = {
   // #endregion
 } as const satisfies StoppingRule
 
-/** Moves on by `motion.dt`, or only to the first jump of the law, and sets `motion.dt` to the time that it took. */
-function advanceToJump(motion: Motion, integrator: Integrator, elapsed: number): void {
+/** Moves on by `motion.dt`, or only to the first jump of the law. */
+function advanceToJump(motion: Motion, integrator: Integrator): void {
   const { slip } = motion
   motion.begin()
   integrator.step(motion)
@@ -51,9 +49,10 @@ function advanceToJump(motion: Motion, integrator: Integrator, elapsed: number):
     motion.v = 0
     motion.known = false
   }
-  settle(motion, elapsed + motion.dt)
+  motion.elapsed += motion.dt
+  settle(motion)
   if (joint && motion.moving) {
     motion.slip = joint === 'to' ? 1 : -1
-    if (!motion.enterPiece()) motion.end('left-the-track', elapsed + motion.dt)
+    if (!motion.enterPiece()) motion.end('left-the-track')
   }
 }

@@ -16,7 +16,8 @@ export const naive = {
   advance(motion: Motion, integrator: Integrator): void {
     motion.begin()
     integrator.step(motion)
-    settle(motion, motion.dt)
+    motion.elapsed = motion.dt
+    settle(motion)
     stayOnTrack(motion)
   },
   // #endregion

@@ -1,15 +1,15 @@
 import type { Motion } from '../motion.ts'
 
 /**
- * Decides for a block with v = 0, `elapsed` seconds into the step, whether it stays: it does while |drive| ≤ μs press.
- * Otherwise its slip direction becomes that of the drive, and true is returned.
+ * Decides for a block with v = 0 whether it stays: it does while |drive| ≤ μs press. Otherwise its slip direction becomes
+ * that of the drive, and true is returned.
  */
-export function setsOff(motion: Motion, elapsed: number): boolean {
+export function setsOff(motion: Motion): boolean {
   const { law } = motion
   motion.slip = 0
-  motion.acceleration(motion.s, 0)
+  motion.accelerate()
   if (Math.abs(motion.drive) <= law.muStatic * motion.press) {
-    motion.end('at-rest', elapsed)
+    motion.end('at-rest')
     return false
   }
   motion.slip = motion.drive > 0 ? 1 : -1

@@ -28,12 +28,9 @@ export const capped = {
   start: ({ cap }: Values<typeof options>) => {
     const lost = new ExactSum()
     return (run) => {
-      if (run.frameDuration > cap) {
-        lost.add(run.frameDuration - cap)
-        run.step(cap)
-      } else {
-        run.step(run.frameDuration)
-      }
+      if (run.frameDuration > cap) lost.add(run.frameDuration - cap)
+      run.motion.dt = Math.min(run.frameDuration, cap)
+      run.step()
       run.lostTime = lost.value
       run.stateTime = run.time - run.lostTime
     }

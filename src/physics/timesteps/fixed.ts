@@ -40,7 +40,8 @@ export const fixed = {
   start: ({ step, maxSteps, draw }: Values<typeof options>) => {
     let taken = 0
     let dropped = 0
-    let previous = NaN
+    // A field, since engines box a number that a closure keeps changing.
+    const before = { s: NaN }
     return (run) => {
       const { motion } = run
       // The accumulator is the time by which the wall clock is ahead of the physics: counted, not added up.
@@ -48,15 +49,16 @@ export const fixed = {
       const count = Math.min(due, maxSteps)
       dropped += due - count
       for (let i = 0; i < count; i++) {
-        previous = motion.s
-        run.step(step)
+        before.s = motion.s
+        motion.dt = step
+        run.step()
         run.stateTime = ++taken * step
       }
       run.lostTime = dropped * step
       const accumulator = Math.max(0, run.time - (taken + dropped) * step)
       if (draw === 'extrapolated') run.drawnS = motion.s + motion.v * accumulator
       if (draw === 'interpolated' && taken > 0)
-        run.drawnS = previous + (motion.s - previous) * (accumulator / step)
+        run.drawnS = before.s + (motion.s - before.s) * (accumulator / step)
     }
   },
   // #endregion

@@ -17,7 +17,8 @@ export const perFrame = {
   start: ({ step }: Values<typeof options>) => {
     let steps = 0
     return (run) => {
-      run.step(step)
+      run.motion.dt = step
+      run.step()
       run.stateTime = ++steps * step
     }
   },

@@ -24,11 +24,14 @@ export const substeps = {
       const count = Math.min(wanted, MOST_STEPS_A_FRAME)
       const length = run.frameDuration / wanted
       for (let i = 0; i < count; i++) {
-        run.step(length)
+        run.motion.dt = length
+        run.step()
         run.stateTime += length
       }
-      lost.add((wanted - count) * length)
-      run.lostTime = lost.value
+      if (count < wanted) {
+        lost.add((wanted - count) * length)
+        run.lostTime = lost.value
+      }
       run.stateTime = run.time - run.lostTime
     }
   },

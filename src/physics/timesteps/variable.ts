@@ -10,7 +10,8 @@ export const variable = {
   steps: (_, __, frames) => frames,
   // #region advance
   start: () => (run) => {
-    run.step(run.frameDuration)
+    run.motion.dt = run.frameDuration
+    run.step()
     run.stateTime = run.time
   },
   // #endregion

@@ -1,0 +1,73 @@
+import { describe, expect, it } from 'vitest'
+import { createRun, integrators, scenes, stoppings } from '../../src/physics/index.ts'
+import type { Experiment, Run } from '../../src/physics/index.ts'
+
+const STEPS = 1_000_000
+
+/** Frames so short that a million of them keep a block moving for a quarter of an hour. */
+function step(run: Run, count: number): void {
+  run.frameDuration = 1 / 1024
+  for (let i = 0; i < count; i++) {
+    run.time += 1 / 1024
+    run.advanceFrame()
+  }
+}
+
+/**
+ * Bytes that a million steps of a run take from the heap once the engine has compiled what they call. The young generation
+ * of the test process holds 64 MB, so that nothing is collected in between; a quiet one of three rounds counts, since the
+ * engine itself may use memory at any time.
+ */
+function bytes(experiment: Experiment): number {
+  const run = createRun(experiment)
+  const rounds: number[] = []
+  for (let round = 0; round < 3; round++) {
+    globalThis.gc!()
+    step(run, STEPS)
+    const before = process.memoryUsage().heapUsed
+    step(run, STEPS)
+    rounds.push(Math.abs(process.memoryUsage().heapUsed - before))
+  }
+  return Math.min(...rounds)
+}
+
+describe('a step allocates nothing', () => {
+  const experiments: Experiment[] = [
+    { scene: 'ramp' },
+    { scene: 'ramp', parameters: { speed: 3 }, timestep: { kind: 'fixed', step: 1 / 500 } },
+    { scene: 'half-pipe', integrator: 'rk4' },
+    { scene: 'ramp', timestep: { kind: 'substeps', step: 1 / 2000 } },
+    { scene: 'ramp', timestep: { kind: 'capped', cap: 1 / 2000 } },
+    { scene: 'ramp', timestep: { kind: 'per-frame', step: 1 / 1000 } },
+    { scene: 'half-pipe', integrator: 'yoshida4', parameters: { muKinetic: 0.01, muStatic: 0.01 } },
+    { scene: 'spring', integrator: 'implicit-midpoint', parameters: { muKinetic: 0, muStatic: 0 } },
+    { scene: 'fall', integrator: 'midpoint', parameters: { drag: 0.1 } },
+    { scene: 'run-out', integrator: 'semi-implicit-euler', stopping: 'clamped' },
+    { scene: 'ramp', integrator: 'explicit-euler', stopping: 'naive' },
+  ]
+
+  // One boxed number a step, of 12 to 16 bytes, would take more than 12 MB: a hundred times what is allowed here for
+  // whatever the engine does on the side.
+  it.each(experiments)('$scene $integrator $stopping $timestep', (experiment) => {
+    expect(bytes(experiment)).toBeLessThan(STEPS / 8)
+  })
+
+  it('also after the same code has run every scene, method and rule', () => {
+    for (let round = 0; round < 3; round++)
+      for (const { id: scene } of scenes)
+        for (const { id: integrator } of integrators)
+          for (const { id: stopping } of stoppings)
+            step(createRun({ scene, integrator, stopping }), 5000)
+    for (const experiment of experiments)
+      expect(bytes(experiment), JSON.stringify(experiment)).toBeLessThan(STEPS / 8)
+  })
+
+  it('and the measure would notice: one number boxed a step is seen', () => {
+    const kept: { boxed: number }[] = []
+    globalThis.gc!()
+    const before = process.memoryUsage().heapUsed
+    for (let i = 0; i < STEPS; i++) kept[i & 1023] = { boxed: i + 0.5 }
+    expect(process.memoryUsage().heapUsed - before).toBeGreaterThan(STEPS / 8)
+    expect(kept).toHaveLength(1024)
+  })
+})

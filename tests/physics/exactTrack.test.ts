@@ -1,0 +1,319 @@
+import { describe, expect, it } from 'vitest'
+import { exactTrack } from '../../src/physics/exact/track.ts'
+import { scenes } from '../../src/physics/index.ts'
+import type { ExactMotion, Scene } from '../../src/physics/index.ts'
+import { Random } from '../../src/physics/random.ts'
+import { straight } from '../../src/physics/track.ts'
+
+const byId = (id: string): Scene => scenes.find((scene) => scene.id === id)!
+const bare = { gravity: 9.81, mass: 1, muStatic: 0, muKinetic: 0, position: 0, speed: 0 }
+const ramp = (given: object) => byId('ramp').exact({ angle: 30, ...bare, ...given })
+const runOut = (given: object) =>
+  byId('run-out').exact({ angle: 30, length: 4, bendRadius: 1.5, ...bare, ...given })
+const halfPipe = (given: object) => byId('half-pipe').exact({ radius: 2, ...bare, ...given })
+const at = (motion: ExactMotion, t: number) => motion(t, { s: NaN, v: NaN })
+
+/** The pendulum by Jacobi's sn, from the arithmetic-geometric mean (Abramowitz & Stegun 16.4, 17.6). */
+function pendulum(radius: number, gravity: number, position: number, t: number): number {
+  const k = Math.sin(position / radius / 2)
+  const a = [1]
+  const c = [k]
+  let b = Math.sqrt(1 - k * k)
+  // It converges quadratically: the next c is c²/4.
+  while (Math.abs(c.at(-1)!) > 1e-9) {
+    const last = a.at(-1)!
+    a.push((last + b) / 2)
+    c.push((last - b) / 2)
+    b = Math.sqrt(last * b)
+  }
+  const quarter = Math.PI / 2 / a.at(-1)!
+  const u = quarter - ((Math.sqrt(gravity / radius) * t) % (4 * quarter))
+  let phi = 2 ** (a.length - 1) * a.at(-1)! * u
+  for (let n = a.length - 1; n > 0; n--)
+    phi = (phi + Math.asin((c[n]! / a[n]!) * Math.sin(phi))) / 2
+  return 2 * radius * Math.asin(k * Math.sin(phi))
+}
+
+describe('a half-pipe without friction', () => {
+  it.each([1e-200, 1e-3, 1, 1.6, 3, (89 / 90) * Math.PI])(
+    'is the pendulum, from %f m',
+    (position) => {
+      const motion = halfPipe({ position })
+      for (const t of [0.01, 0.1, 1, 3.7, 10, 100, 1000]) {
+        // The period is known to a few ulps, here and there, and the angle turns by as many for each radian.
+        const rounding = 4 * Number.EPSILON * (4 + 2.5 * t)
+        const error = at(motion, t).s - pendulum(2, 9.81, position, t)
+        expect(Math.abs(error)).toBeLessThanOrEqual(rounding * position)
+      }
+    },
+  )
+
+  it('knows no time too late', () => {
+    // Jacobi's sn with 50 digits, by Python's mpmath 1.3. An ulp of 1e6 s of motion at 5 m/s is 1e-9 m.
+    const motion = halfPipe({ position: 3.1 })
+    expect(Math.abs(at(motion, 1e5).s - 2.2242252935651642)).toBeLessThanOrEqual(1e-9)
+    expect(Math.abs(at(motion, 1e6).s + 0.47308653055938606)).toBeLessThanOrEqual(1e-8)
+  })
+
+  it('comes back for ever if static friction lets go at the turning points', () => {
+    // tan 30° < 0.6: it would stay at 1 m, not at 1.6 m, where the slope is 46°.
+    const position = 1.6
+    const free = halfPipe({ position })
+    const held = halfPipe({ position, muStatic: 0.6 })
+    for (const t of [1, 10, 1e5]) expect(at(held, t)).toEqual(at(free, t))
+    expect(at(halfPipe({ position: 1, muStatic: 0.6 }), 1e5)).toEqual({ s: 1, v: 0 })
+  })
+
+  it('loses the block at the lip, and keeps the state that it had there', () => {
+    const lip = Math.PI
+    const gone = at(halfPipe({ speed: 10 }), 5)
+    expect(gone.s).toBe(lip)
+    // ½v² = ½v₀² − gR
+    expect(Math.abs(gone.v - Math.sqrt(100 - 4 * 9.81))).toBeLessThanOrEqual(1e-14)
+    expect(at(halfPipe({ speed: 10 }), 1e6)).toEqual(gone)
+    expect(at(halfPipe({ speed: -10 }), 5)).toEqual({ s: -lip, v: -gone.v })
+  })
+})
+
+describe('a half-pipe with friction', () => {
+  // radius, gravity, muStatic, muKinetic, position, speed, t; s; v. Taylor's series of degree 40 with 40 digits in
+  // Python's mpmath 1.3, turning points by its findroot.
+  it.each([
+    [2, 9.81, 0.0015, 0.001, 3, 0, 100, -0.4606062835294986668562, -4.900572299609909714717],
+    [2, 9.81, 0.0015, 0.001, 3, 0, 1000, -6.357991928176029723768e-4, 0],
+    [0.7, 20, 0.3, 0.05, -1, 0.5, 8, -0.1729176739075525676757, 0],
+    [2, 9.81, 0, 1e-6, 3, 0, 300, 2.985756619890742715536, -0.488868952125347834003],
+  ])(
+    'agrees with 40 digits: R %f, g %f, μs %f, μk %f, from %f m at %f m/s, after %f s',
+    (radius, gravity, muStatic, muKinetic, position, speed, t, s, v) => {
+      const state = at(halfPipe({ radius, gravity, muStatic, muKinetic, position, speed }), t)
+      // Rounding of some 2000 series, an ulp of s and v each, that shifts the swing from then on.
+      expect(Math.abs(state.s - s)).toBeLessThanOrEqual(2e-12)
+      expect(Math.abs(state.v - v)).toBeLessThanOrEqual(2e-12)
+    },
+  )
+
+  it('swings less far every time, and rests where static friction holds it', () => {
+    const motion = halfPipe({ position: 3, muStatic: 0.02, muKinetic: 0.01 })
+    const stops = breaks(motion, 200, []).map((t) => Math.abs(at(motion, t).s))
+    expect(stops.length).toBeGreaterThan(20)
+    for (const [i, size] of stops.entries()) expect(size).toBeLessThan(stops[i - 1] ?? 3)
+    const { s, v } = at(motion, 1e6)
+    expect(v).toBe(0)
+    expect(Math.tan(Math.abs(s) / 2)).toBeLessThanOrEqual(0.02)
+  })
+
+  it('solves 10 000 s in well under a second', () => {
+    const start = performance.now()
+    const motion = halfPipe({ position: 3.1, muKinetic: 1e-9 })
+    for (let i = 0; i <= 20000; i++) at(motion, i / 2)
+    expect(performance.now() - start).toBeLessThan(1000)
+    // Hardly any friction: still nearly the pendulum. It loses 2 μ g · 10 000 s · 5 m/s at most of its 30 J/kg.
+    expect(Math.abs(at(motion, 10000).v)).toBeLessThan(10)
+    expect(Math.abs(at(motion, 1).s - pendulum(2, 9.81, 3.1, 1))).toBeLessThan(1e-7)
+  })
+
+  it('gives up on 1e10 swings without hanging, and says so', () => {
+    const motion = halfPipe({ radius: 0.001, gravity: 1e6, position: 0.001, muKinetic: 1e-300 })
+    expect(at(motion, 1e6)).toEqual({ s: NaN, v: NaN })
+    expect(at(motion, 0)).toEqual({ s: 0.001, v: 0 })
+  })
+})
+
+describe('a ramp', () => {
+  it.each([1 - 1e-12, 1 + 1e-12])('with tan α = %f of μs decides so for an hour', (part) => {
+    const muStatic = Math.tan(Math.PI / 6) / part
+    const { s, v } = at(ramp({ muStatic, muKinetic: 0.2 }), 3600)
+    const a = 9.81 * (0.5 - 0.2 * Math.sqrt(0.75))
+    if (part < 1) expect({ s, v }).toEqual({ s: 0, v: 0 })
+    else {
+      expect(Math.abs(s / (0.5 * a * 3600 * 3600) - 1)).toBeLessThanOrEqual(4 * Number.EPSILON)
+      expect(Math.abs(v / (a * 3600) - 1)).toBeLessThanOrEqual(4 * Number.EPSILON)
+    }
+  })
+
+  it('takes static friction for no less than kinetic', () => {
+    expect(at(ramp({ muStatic: 0.1, muKinetic: 0.6 }), 10)).toEqual({ s: 0, v: 0 })
+  })
+
+  it('keeps all digits of a fast and of a slow block', () => {
+    for (const speed of [1e9, 1e-200]) {
+      const motion = ramp({ speed, muKinetic: 1 })
+      const a = 9.81 * (Math.sqrt(0.75) - 0.5)
+      const { s, v } = at(motion, 1e12)
+      expect(v).toBe(0)
+      if (speed > 1)
+        expect(Math.abs((s * 2 * a) / speed / speed - 1)).toBeLessThanOrEqual(8 * Number.EPSILON)
+    }
+  })
+})
+
+describe('a run-out', () => {
+  it.each([0, 5e-324, 1e-300, 1e-17])('with next to no bend (%f°) is a flat', (angle) => {
+    const motion = runOut({ angle, muKinetic: 0.5, muStatic: 0.5, speed: 8 })
+    // v²/(2 μ g), beyond the joint at 4 m. The bend, where there is one, is shorter than an ulp.
+    expect(Math.abs(at(motion, 3).s - 64 / 9.81)).toBeLessThanOrEqual(4e-15)
+    expect(at(motion, 3).v).toBe(0)
+  })
+
+  it.each([1, -1])('enters the piece ahead from a joint (towards %f)', (slip) => {
+    const end = 4 + (1.5 * Math.PI) / 6
+    for (const position of [4, end]) {
+      const { s, v } = at(runOut({ position, speed: slip }), 1e-6)
+      const slope = position === 4 ? 0.5 : 0
+      // A thousandth of a microsecond's worth of the slope's change is left.
+      expect(Math.abs(s - position - slip * 1e-6)).toBeLessThanOrEqual(1e-11)
+      expect(Math.abs(v - slip - 9.81 * slope * 1e-6)).toBeLessThanOrEqual(1e-11)
+    }
+  })
+
+  it('sets off from the upper joint, and stays at the lower', () => {
+    const end = 4 + 1.5 * (30 * (Math.PI / 180))
+    expect(at(runOut({ position: 4 }), 1).v).toBeGreaterThan(0)
+    expect(Math.abs(at(runOut({ position: end }), 1).v)).toBeLessThanOrEqual(1e-15)
+    expect(at(runOut({ position: end, muStatic: 0.1 }), 1e6)).toEqual({ s: end, v: 0 })
+  })
+
+  it('stops where a straight ends', () => {
+    // v² = 2 μ g d: 5² = 2 · 0.5 · 10 · 2.5.
+    const flat = { ...straight(0), to: 2.5 }
+    const rise = { ...straight(0), from: 2.5, slope: -0.1, sin: -Math.sin(0.1), cos: Math.cos(0.1) }
+    const friction = { gravity: 10, muStatic: 0.5, muKinetic: 0.5 }
+    const motion = exactTrack([flat, rise], { ...friction, position: 0, speed: 5 })
+    expect(Math.abs(at(motion, 2).s - 2.5)).toBeLessThanOrEqual(Number.EPSILON * 2)
+    expect(at(motion, 2).v).toBe(0)
+  })
+
+  it('without friction turns energy into speed, on the flat', () => {
+    const drop = 4 * 0.5 + 1.5 * (1 - Math.sqrt(0.75))
+    expect(Math.abs(at(runOut({}), 5).v - Math.sqrt(2 * 9.81 * drop))).toBeLessThanOrEqual(4e-15)
+  })
+})
+
+describe('what changes the law', () => {
+  const cases: [string, ExactMotion, number, number[]][] = [
+    ['run-out', runOut({ muKinetic: 0.2, muStatic: 0.3, speed: -2 }), 4, [4, 4 + Math.PI / 4]],
+    ['half-pipe', halfPipe({ muKinetic: 0.05, muStatic: 0.3, position: 3 }), 10, []],
+    ['ramp', ramp({ muKinetic: 0.2, speed: -5 }), 3, []],
+  ]
+  it.each(cases)('leaves no gap in s and v: %s', (_, motion, duration, joints) => {
+    const instants = breaks(motion, duration, joints)
+    expect(instants.length).toBeGreaterThan(0)
+    for (const t of instants) {
+      const before = at(motion, t * (1 - 2 * Number.EPSILON))
+      const after = at(motion, t)
+      // Some ulps of time, at accelerations and speeds up to 20, and some of the state.
+      expect(Math.abs(after.s - before.s)).toBeLessThanOrEqual(1e-13)
+      expect(Math.abs(after.v - before.v)).toBeLessThanOrEqual(1e-13)
+    }
+  })
+})
+
+describe('energy and the heat of friction', () => {
+  const random = new Random(5)
+  const uniform = (from: number, to: number) => from + ((to - from) * random.next()) / 2 ** 32
+  const cases = Array.from({ length: 12 }, (_, i) => ({
+    id: i % 2 ? 'run-out' : 'half-pipe',
+    ...bare,
+    angle: uniform(5, 85),
+    length: uniform(0, 3),
+    bendRadius: uniform(0.5, 3),
+    radius: uniform(1, 3),
+    muStatic: uniform(0, 0.5),
+    muKinetic: uniform(0, 0.5),
+    position: uniform(-1, 1),
+    speed: uniform(-4, 4),
+  }))
+  it.each(cases)('add up: $id, μ $muKinetic, α $angle', ({ id, ...parameters }) => {
+    const scene = byId(id)
+    const law = scene.law(parameters)
+    const motion = scene.exact(parameters)
+    const energy = (t: number) => {
+      const { s, v } = at(motion, t)
+      return scene.potential(parameters, s) + 0.5 * v * v
+    }
+    const power = (t: number) => {
+      const { s, v } = at(motion, t)
+      const { slope, curvature } = scene.place(parameters, s)
+      const press = parameters.gravity * Math.cos(slope) + curvature * v * v
+      return parameters.muKinetic * press * Math.abs(v)
+    }
+    let heat = 0
+    const joints = id === 'run-out' ? law.joints : []
+    const ends = [0, ...breaks(motion, 3, joints), 3]
+    for (let i = 1; i < ends.length; i++) heat += simpson(power, ends[i - 1]!, ends[i]!)
+    if (Math.abs(at(motion, 3).s) < (id === 'run-out' ? Infinity : law.joints[1]!))
+      // Simpson's rule with 1000 parts of up to 3 ms: (3e-3)⁴/2880 of a fourth derivative of up to 1e4 W/s⁴.
+      expect(Math.abs(energy(3) + heat - energy(0))).toBeLessThanOrEqual(1e-9)
+  })
+})
+
+describe('extremes', () => {
+  const random = new Random(3)
+  const pick = <T>(values: readonly T[]): T => values[random.next() % values.length]!
+  const tiny = [5e-324, 1e-300, 1e-200, 1e-9]
+  const pickOf = {
+    angle: () => pick([0, ...tiny, 30, 89.999999999, 90]),
+    gravity: () => pick([0, ...tiny, 9.81, 1e6]),
+    muStatic: () => pick([0, ...tiny, 1, 1000, 1e6]),
+    muKinetic: () => pick([0, 0.01, 1, 1000, 1e6]),
+    speed: () => pick([-1, 1]) * pick([0, ...tiny, 1, 1e9]),
+    length: () => pick([0, ...tiny, 4, 1e6]),
+    bendRadius: () => pick([0.001, 1.5, 1e6]),
+    radius: () => pick([0.001, 2, 1e6]),
+    mass: () => 1,
+  }
+  const draw = () => Object.fromEntries(Object.entries(pickOf).map(([name, of]) => [name, of()]))
+
+  it.each(['ramp', 'run-out', 'half-pipe'])('neither hang nor make NaN: %s', (id) => {
+    for (let i = 0; i < 1000; i++) {
+      const parameters = draw()
+      const quarter = (Math.PI / 2) * parameters['radius']!
+      const position =
+        pick([-1, 1]) *
+        pick(
+          id === 'half-pipe'
+            ? [0, 5e-324, 0.5 * quarter, 0.9999999 * quarter]
+            : [0, 5e-324, 4, 1e9],
+        )
+      const motion = byId(id).exact({ ...parameters, position })
+      for (const t of [0, 5e-324, 1e-9, 0.1, 10, 1e6]) {
+        const { s, v } = at(motion, t)
+        const where = JSON.stringify({ ...parameters, position, t })
+        expect(Number.isFinite(s) && Number.isFinite(v), where).toBe(true)
+      }
+    }
+  })
+})
+
+/** The instants at which the sign of v changes or a joint is crossed, to an ulp. */
+function breaks(motion: ExactMotion, duration: number, joints: readonly number[]): number[] {
+  const side = (t: number) => {
+    const { s, v } = at(motion, t)
+    return Math.sign(v) + 10 * joints.filter((joint) => s >= joint).length
+  }
+  const found: number[] = []
+  const add = (from: number, to: number): void => {
+    let [low, high] = [from, to]
+    const start = side(low)
+    for (let middle = (low + high) / 2; low < middle && middle < high; middle = (low + high) / 2) {
+      if (side(middle) === start) low = middle
+      else high = middle
+    }
+    found.push(high)
+    // Another may follow within the same part.
+    if (high < to && side(high) !== side(to)) add(high, to)
+  }
+  for (let i = 0; i < 4000; i++) {
+    const [from, to] = [(duration * i) / 4000, (duration * (i + 1)) / 4000]
+    if (from > 0 && side(from) !== side(to)) add(from, to)
+  }
+  return found
+}
+
+function simpson(f: (t: number) => number, from: number, to: number): number {
+  const h = (to - from) / 2000
+  let sum = f(from) + f(to)
+  for (let i = 1; i < 2000; i++) sum += (i % 2 ? 4 : 2) * f(from + i * h)
+  return (sum * h) / 3
+}
