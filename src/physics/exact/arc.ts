@@ -2,6 +2,7 @@ import type { State } from '../scene.ts'
 import type { Piece } from '../track.ts'
 import { DEGREE, crossing, evaluate } from './phase.ts'
 import type { Phase } from './phase.ts'
+import { slideStraight } from './straight.ts'
 
 // The last terms of the speed's series stay below this part of its first: truncation is below rounding.
 const SMALLEST_TERM = 2 ** -60
@@ -38,6 +39,10 @@ export function slideArc(
   const rate = Math.sqrt(gravity * size) * Math.sqrt(curvature) + curvature * size * Math.abs(v)
   const unit = Math.min(1 / rate, Number.MAX_VALUE)
   expand(v * unit, mu, gravity * unit * unit, piece.slope - curvature * (s - piece.at), curvature)
+  const border = slip > 0 ? piece.to : piece.from
+  // No force, nor a change of one: there is none, or one below the smallest number. No step would be the last.
+  if (speeds[1] === 0 && speeds[2] === 0) return slideStraight(phase, s, v, slip, 0, border)
+
   c[0] = s
   for (let n = 1; n <= DEGREE; n++) c[n] = speeds[n - 1]! / n
   phase.unit = unit
@@ -49,13 +54,11 @@ export function slideArc(
   evaluate(c, 0, DEGREE, x, end)
   end.v = turns ? 0 : end.v / unit
 
-  const border = slip > 0 ? piece.to : piece.from
-  if (slip * (end.s - border) >= 0) {
-    if (end.s !== border) {
-      x = crossing(c, DEGREE, border, 0, x)
-      end.v = slip * Math.max(0, (slip * evaluate(c, 0, DEGREE, x, end).v) / unit)
-      end.s = border
-    }
+  if (slip * (end.s - border) > 0) {
+    x = crossing(c, DEGREE, border, 0, x)
+    evaluate(c, 0, DEGREE, x, end)
+    end.s = border
+    end.v = slip * Math.max(0, (slip * end.v) / unit)
   }
   phase.lasts = x * unit
 }

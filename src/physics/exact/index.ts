@@ -27,7 +27,9 @@ export function exactMotion(experiment: Experiment): ExactMotion {
 }
 
 /**
- * The true state at the time t [s], 0 or later: distance along the track [m] and speed [m/s].
+ * The true state at the time t [s], 0 or later: distance along the track [m] and speed [m/s]. NaN where the motion has
+ * more than some hundred thousand swings before t and does not repeat itself, which is only where next to no friction
+ * acts for hours.
  *
  * @throws ExperimentError for an experiment that can't be run, RangeError for a time that is not 0 or more
  */
