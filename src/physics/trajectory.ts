@@ -32,35 +32,44 @@ export interface Trajectory {
 /** Takes down a run frame by frame. */
 export class Recorder {
   private rows = 0
-  private readonly columns: Float64Array[]
+  private time: Float64Array
+  private stateTime: Float64Array
+  private s: Float64Array
+  private v: Float64Array
+  private drawnS: Float64Array
+  private heat: Float64Array
 
   /** `capacity`: how many rows to expect; more are no mistake. */
   constructor(capacity: number) {
-    this.columns = Array.from({ length: 6 }, () => new Float64Array(capacity))
+    this.time = new Float64Array(capacity)
+    this.stateTime = new Float64Array(capacity)
+    this.s = new Float64Array(capacity)
+    this.v = new Float64Array(capacity)
+    this.drawnS = new Float64Array(capacity)
+    this.heat = new Float64Array(capacity)
   }
 
   record(run: Run): void {
-    if (this.rows === this.columns[0]!.length) this.grow()
-    const [time, stateTime, s, v, drawnS, heat] = this.columns as Columns
     const row = this.rows++
+    if (row === this.time.length) this.resize(2 * row)
     const { motion } = run
-    time[row] = run.time
-    stateTime[row] = run.stateTime
-    s[row] = motion.s
-    v[row] = motion.v
-    drawnS[row] = run.drawnS
-    heat[row] = motion.heat
+    this.time[row] = run.time
+    this.stateTime[row] = run.stateTime
+    this.s[row] = motion.s
+    this.v[row] = motion.v
+    this.drawnS[row] = run.drawnS
+    this.heat[row] = motion.heat
   }
 
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {
-    const { rows } = this
-    const [time, stateTime, s, v, drawnS, heat] = this.columns.map((column) =>
-      rows === column.length ? column : column.slice(0, rows),
-    ) as Columns
+    this.resize(this.rows)
+    const { time, stateTime, s, v, drawnS, heat } = this
     const { steps, evaluations, lostTime, outcome } = run
+    const { unsolved } = run.motion
+    const frames = this.rows - 1
     return {
       experiment,
-      frames: rows - 1,
+      frames,
       time,
       stateTime,
       s,
@@ -69,19 +78,25 @@ export class Recorder {
       heat,
       steps,
       evaluations,
-      unsolved: run.motion.unsolved,
+      unsolved,
       lostTime,
       outcome,
     }
   }
 
-  private grow(): void {
-    this.columns.forEach((column, i) => {
-      const larger = new Float64Array(2 * column.length)
-      larger.set(column)
-      this.columns[i] = larger
-    })
+  private resize(rows: number): void {
+    if (rows === this.time.length) return
+    this.time = resized(this.time, rows)
+    this.stateTime = resized(this.stateTime, rows)
+    this.s = resized(this.s, rows)
+    this.v = resized(this.v, rows)
+    this.drawnS = resized(this.drawnS, rows)
+    this.heat = resized(this.heat, rows)
   }
 }
 
-type Columns = [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array, Float64Array]
+function resized(column: Float64Array, rows: number): Float64Array {
+  const other = new Float64Array(rows)
+  other.set(column.length > rows ? column.subarray(0, rows) : column)
+  return other
+}
