@@ -4,6 +4,7 @@ import type { Integrator } from './integrator.ts'
 import { entry } from './lists.ts'
 import { integrators } from './integrators/index.ts'
 import { Motion } from './motion.ts'
+import type { Law } from './motion.ts'
 import { scenes } from './scenes/index.ts'
 import { stoppings } from './stopping/index.ts'
 import type { StoppingRule } from './stoppingRule.ts'
@@ -15,6 +16,13 @@ import type { Scene } from './scene.ts'
 export interface Outcome {
   kind: 'moving' | 'at-rest' | 'left-the-track' | 'diverged'
   time: number
+}
+
+/** Puts itself between a run and the parts it is made of, to see what passes; must change nothing. */
+export interface Watch {
+  law(law: Law): Law
+  integrator(integrator: Integrator): Integrator
+  stopping(rule: StoppingRule): StoppingRule
 }
 
 /**
@@ -45,15 +53,17 @@ export class Run {
   private readonly stopping: StoppingRule
   private readonly advance: Advance
 
-  constructor(experiment: ResolvedExperiment) {
+  constructor(experiment: ResolvedExperiment, watch?: Watch) {
     const scene: Scene = entry(scenes, experiment.scene)
     const { parameters } = experiment
-    this.integrator = entry(integrators, experiment.integrator)
-    this.stopping = entry(stoppings, experiment.stopping)
+    const integrator: Integrator = entry(integrators, experiment.integrator)
+    const stopping: StoppingRule = entry(stoppings, experiment.stopping)
+    this.integrator = watch ? watch.integrator(integrator) : integrator
+    this.stopping = watch ? watch.stopping(stopping) : stopping
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
     this.advance = timestep.start(experiment.timestep as never)
     const law = scene.law(parameters)
-    this.motion = new Motion(law, parameters.position!, parameters.speed!)
+    this.motion = new Motion(watch ? watch.law(law) : law, parameters.position!, parameters.speed!)
     this.motion.holdSlip(this.stopping.holdsSlip)
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0

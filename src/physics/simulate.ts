@@ -1,5 +1,6 @@
 import type { Experiment } from './experiment.ts'
-import type { FrameClock, Frames } from './frameClock.ts'
+import { FrameLoop } from './frameLoop.ts'
+import type { FrameClock } from './frameClock.ts'
 import { frameClocks } from './frames/index.ts'
 import { entry } from './lists.ts'
 import { parseExperiment } from './parse.ts'
@@ -24,28 +25,14 @@ export function createRun(experiment: Experiment): Run {
  */
 export function simulate(experiment: Experiment): Trajectory {
   const resolved = parseExperiment(experiment)
-  const { duration } = resolved
   const clock: FrameClock = entry(frameClocks, resolved.frames.kind)
-  const frames = clock.start(resolved.frames as never)
-  const run = new Run(resolved)
-  const recorder = new Recorder(
-    Math.ceil(1.02 * duration * clock.rate(resolved.frames as never)) + 2,
-  )
-  recorder.record(run)
-  while (run.time < duration && !run.ended) {
-    nextFrame(run, frames, duration)
-    recorder.record(run)
+  const expected = resolved.duration * clock.rate(resolved.frames as never)
+  const recorder = new Recorder(Math.ceil(1.02 * expected) + 2)
+  const loop = new FrameLoop(resolved)
+  recorder.record(loop.run)
+  while (loop.goesOn) {
+    loop.next()
+    recorder.record(loop.run)
   }
-  return recorder.trajectory(resolved, run)
-}
-
-/** Runs one frame more, which is cut where the run ends. */
-function nextFrame(run: Run, frames: Frames, duration: number): void {
-  frames.next()
-  // A frame that would leave only rounding behind it is the last.
-  const slack = 1e-9 * frames.duration
-  const over = frames.time - duration
-  run.frameDuration = over > slack ? duration - run.time : frames.duration
-  run.time = over >= -slack ? duration : frames.time
-  run.advanceFrame()
+  return recorder.trajectory(resolved, loop.run)
 }

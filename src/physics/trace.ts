@@ -1,0 +1,153 @@
+import type { Experiment } from './experiment.ts'
+import { FrameLoop } from './frameLoop.ts'
+import type { Integrator } from './integrator.ts'
+import type { Law, Motion } from './motion.ts'
+import { parseExperiment } from './parse.ts'
+import type { Watch } from './run.ts'
+import type { State } from './scene.ts'
+import type { StoppingRule } from './stoppingRule.ts'
+
+/** One look at the forces: where, and what they were per mass [m/s²]. */
+export interface Evaluation extends State {
+  drive: number
+  press: number
+  /** dv/dt there: drive − slip μk press. */
+  a: number
+}
+
+/** One step of the integrator as it was taken, kept or not. */
+export interface TriedStep {
+  /** Its length [s]. */
+  dt: number
+  from: State
+  to: State
+  /** The slip direction that was held, 0 where it followed the sign of each v. */
+  slip: -1 | 0 | 1
+  /** An acceleration that served again from the step before is not among them. */
+  evaluations: Evaluation[]
+}
+
+/** A stretch without a jump of the law: the tries to find its end, of which the last was kept. */
+export interface Stretch {
+  /** When it begins, in the step that the policy asked for [s]. */
+  begins: number
+  tries: TriedStep[]
+  /** What ended it, if not the step's end. */
+  jump?: 'stop' | 'joint'
+}
+
+/** A step that the timestep policy asked for. */
+export interface PolicyStep {
+  dt: number
+  from: State
+  to: State
+  stretches: Stretch[]
+  outcome: Motion['outcome']
+}
+
+/**
+ * The steps inside one frame of an experiment, as they ran: the run is played again up to the frame with somebody
+ * watching, through the same code and to the same bits as `simulate`.
+ *
+ * @param frame the row of the trajectory that the frame ends at, 1 or more
+ * @throws ExperimentError for an experiment that can't be run, RangeError for a frame that it does not have
+ */
+export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] {
+  const watcher = new Watcher()
+  const loop = new FrameLoop(parseExperiment(experiment), watcher)
+  for (let i = 1; i <= frame && loop.goesOn; i++) {
+    watcher.writes = i === frame
+    loop.next()
+  }
+  if (!watcher.writes)
+    throw new RangeError(
+      `The run has no frame ${String(frame)}; its frames are 1 to ${loop.run.frames}.`,
+    )
+  return watcher.steps
+}
+
+class Watcher implements Watch {
+  writes = false
+  readonly steps: PolicyStep[] = []
+  private evaluations: Evaluation[] | undefined
+
+  law(law: Law): Law {
+    return {
+      ...law,
+      forces: (motion) => {
+        law.forces(motion)
+        const { s, v, drive, press } = motion
+        this.evaluations?.push({ s, v, drive, press, a: NaN })
+      },
+    }
+  }
+
+  integrator(integrator: Integrator): Integrator {
+    return {
+      ...integrator,
+      step: (motion) => {
+        if (this.writes) this.tryStep(motion, integrator)
+        else integrator.step(motion)
+      },
+    }
+  }
+
+  stopping(rule: StoppingRule): StoppingRule {
+    return {
+      ...rule,
+      advance: (motion, integrator) => {
+        if (this.writes) this.advance(motion, integrator, rule)
+        else rule.advance(motion, integrator)
+      },
+    }
+  }
+
+  private advance(motion: Motion, integrator: Integrator, rule: StoppingRule): void {
+    const step: PolicyStep = {
+      dt: motion.dt,
+      from: stateOf(motion),
+      to: stateOf(motion),
+      stretches: [],
+      outcome: 'moving',
+    }
+    this.steps.push(step)
+    rule.advance(motion, integrator)
+    step.to = stateOf(motion)
+    step.outcome = motion.outcome
+    const { stretches } = step
+    stretches.forEach((stretch, i) => {
+      const after = stretches[i + 1]?.tries[0]!.from ?? step.to
+      if (after.v === 0) stretch.jump = 'stop'
+      else if (motion.law.joints.includes(after.s)) stretch.jump = 'joint'
+    })
+  }
+
+  private tryStep(motion: Motion, integrator: Integrator): void {
+    const { stretches } = this.steps[this.steps.length - 1]!
+    const begins = motion.elapsed
+    const slip = motion.slipHeld ? motion.slip : 0
+    const tried: TriedStep = {
+      dt: motion.dt,
+      from: stateOf(motion),
+      to: stateOf(motion),
+      slip,
+      evaluations: [],
+    }
+    this.evaluations = tried.evaluations
+    integrator.step(motion)
+    this.evaluations = undefined
+    tried.to = stateOf(motion)
+    for (const each of tried.evaluations) {
+      const direction = motion.slipHeld ? slip : Math.sign(each.v)
+      each.a = each.drive - direction * motion.law.muKinetic * each.press
+    }
+    const current = stretches[stretches.length - 1]
+    // Tries of the same stretch begin at the same instant, and a stretch takes time.
+    if (current?.begins === begins) current.tries.push(tried)
+    else stretches.push({ begins, tries: [tried] })
+  }
+}
+
+function stateOf({ s, v }: Motion): State {
+  return { s, v }
+}

@@ -1,0 +1,61 @@
+import type { Body } from './body.ts'
+import { clamp } from './geometry.ts'
+import type { Layout } from './layout.ts'
+import type { Picture, PictureRunner } from './picture.ts'
+import type { Projection } from './projection.ts'
+import { endOf, rowAt } from './timeline.ts'
+import type { End } from './timeline.ts'
+
+/** A block as it stands at the picture's time. */
+export interface Actor {
+  readonly body: Body
+  /** Its distance from the start [m]. */
+  readonly distance: number
+  /** Where it is when the run is over, on the part of the track that is seen [m]. */
+  readonly last: number
+  /** Which end of the picture it has run out of, if it has: −1 that of small s. */
+  readonly beyond: -1 | 0 | 1
+  /** How its run has ended by now, if it has. */
+  readonly end?: End | undefined
+  /** Whether it will come to rest. */
+  readonly rests: boolean
+  /** Undefined: the exact one. */
+  readonly runner?: PictureRunner
+}
+
+/** All runners at the picture's time, and the exact block as the last one. */
+export function actorsOf(picture: Picture, layout: Layout, projection: Projection): Actor[] {
+  const { exact, time, duration, runners, parameters } = picture
+  const { from, to } = layout.extent
+  const start = parameters.position!
+  const standing = (s: number) => ({
+    body: bodyAt(clamp(s, from, to), picture, layout, projection),
+    distance: Math.abs(s - start),
+    beyond: s < from - 1e-9 ? (-1 as const) : s > to + 1e-9 ? (1 as const) : (0 as const),
+  })
+  const simulated = runners.map((runner) => {
+    const { drawnS } = runner.trajectory
+    const row = rowAt(runner.trajectory, time)
+    const end = endOf(runner.trajectory)
+    return {
+      ...standing(drawnS[row]!),
+      last: clamp(drawnS[drawnS.length - 1]!, from, to),
+      end: end && row >= end.row ? end : undefined,
+      rests: end?.kind === 'at-rest',
+      runner,
+    }
+  })
+  const state = { s: 0, v: 0 }
+  const last = exact(duration, state).s
+  return [...simulated, { ...standing(exact(time, state).s), last, rests: false }]
+}
+
+/** A block, or a ball, at a place of the track. */
+export function bodyAt(
+  s: number,
+  { scene }: Picture,
+  { block }: Layout,
+  projection: Projection,
+): Body {
+  return { spot: projection.at(s), size: block, round: scene.id === 'fall' }
+}

@@ -1,0 +1,67 @@
+import { clamp } from './geometry.ts'
+import type { Point } from './geometry.ts'
+import type { Layout } from './layout.ts'
+import { degrees } from './numbers.ts'
+import type { Palette } from './palette.ts'
+import type { Picture } from './picture.ts'
+import { drawnEnds } from './outline.ts'
+import type { Projection } from './projection.ts'
+import { bendEnd } from './subjects.ts'
+import { widthOf, write } from './text.ts'
+
+/** The slope's angle at its foot: a dashed horizontal, an arc and the value. */
+export function drawAngle(
+  context: CanvasRenderingContext2D,
+  picture: Picture,
+  layout: Layout,
+  projection: Projection,
+  palette: Palette,
+): void {
+  const { scene, parameters } = picture
+  const angle = (parameters.angle! * Math.PI) / 180
+  const vertex = vertexOf(picture, layout, projection)
+  // Uphill is against growing s.
+  const side = -scene.facing
+  const { lanes, width } = layout
+  const foot = scene.id === 'run-out' ? parameters.length! : drawnEnds(layout).to
+  const slope = (foot - drawnEnds(layout).from) * layout.camera.scale
+  // Far enough out for the figure to have room between the horizontal and the dots under the track.
+  const room = lanes.depth + 22
+  const radius = clamp(room / Math.tan(angle), 60, Math.max(60, 0.45 * slope))
+
+  const label = degrees(parameters.angle!)
+  context.font = `${width < 480 ? 14 : 17}px ${palette.sans}`
+  const labelWidth = widthOf(context, label)
+  const end = vertex.x + side * (radius + labelWidth + 24)
+  context.strokeStyle = palette.inkSoft
+  context.lineWidth = 1
+  context.setLineDash([4, 4])
+  context.beginPath()
+  context.moveTo(vertex.x, vertex.y)
+  context.lineTo(end, vertex.y)
+  context.stroke()
+  context.setLineDash([])
+  context.beginPath()
+  if (side > 0) context.arc(vertex.x, vertex.y, radius, -angle, 0)
+  else context.arc(vertex.x, vertex.y, radius, Math.PI, Math.PI + angle)
+  context.stroke()
+
+  const wedge = (radius + 8) * Math.tan(angle)
+  // Where there is none, under the horizontal and the dots.
+  const y = wedge >= room - 1 ? vertex.y - 7 : vertex.y + 17 + Math.max(0, lanes.depth - wedge)
+  const near = vertex.x + side * (radius + 9)
+  context.fillStyle = palette.ink
+  write(context, label, near, y, {
+    align: side > 0 ? 'left' : 'right',
+    halo: palette.ground,
+  })
+}
+
+/** Where the line of the slope meets the level ground. */
+function vertexOf({ scene, parameters }: Picture, layout: Layout, projection: Projection): Point {
+  if (scene.id !== 'run-out') return projection.at(drawnEnds(layout).to)
+  // Both tangents of an arc are as long, from where it begins and ends to where they cross.
+  const { x, y } = projection.at(bendEnd(parameters))
+  const tangent = parameters.bendRadius! * Math.tan((parameters.angle! * Math.PI) / 360)
+  return { x: x - tangent * layout.camera.scale, y }
+}

@@ -1,0 +1,69 @@
+import type { Actor } from './actors.ts'
+import { top } from './body.ts'
+import { clamp } from './geometry.ts'
+import type { Layout } from './layout.ts'
+import { place, seconds } from './numbers.ts'
+import type { Picture } from './picture.ts'
+import { widthOf } from './text.ts'
+
+/** More labels than this say only whose they are. */
+const WORDY = 4
+/** For the mark in front of a name. */
+export const MARK = 14
+/** For the flag of a block that rests, with and without its time. */
+const FLAG = 15
+const words = { 'at-rest': '', 'left-the-track': 'left the track', diverged: 'diverged' }
+
+/** What stands next to a block: whose it is, where it is, and since when it rests. */
+export interface Caption {
+  readonly actor: Actor
+  readonly text: string
+  readonly time: string
+  readonly textWidth: number
+  /** Of the flag and its time, if there will be one. */
+  readonly flag: number
+  /** Of all, the flag's room included, so that nothing moves when it is hoisted. */
+  readonly width: number
+  readonly lean: number
+  /** Where its pole stands [px]. */
+  readonly pole: number
+}
+
+/** What to write at an actor, in the context's font. */
+export function captionOf(
+  context: CanvasRenderingContext2D,
+  actor: Actor,
+  { runners }: Picture,
+  { camera, width: canvas }: Layout,
+): Caption {
+  const { runner, end, distance, body } = actor
+  const wordy = runners.length <= WORDY
+  const ending = end ? words[end.kind] : ''
+  const where = ending || (wordy ? place(distance, 5 / camera.scale) : '')
+  const text = [runner ? runner.name : 'exact', where].filter(Boolean).join(' · ')
+  const textWidth = widthOf(context, text)
+  const time = wordy && end?.kind === 'at-rest' ? seconds(end.time) : ''
+  const pole = top(body).x
+  const name = textWidth + (runner ? MARK : 0)
+  const flag = actor.rests ? FLAG + (wordy ? 8 + widthOf(context, '0.00 s') : 0) : 0
+  const lean = leanAt(body.spot.descent, pole, name)
+  // Near the canvas's edge, where a flag would push its label over the pole, its room is not kept free, nor on a
+  // canvas that has none to spare.
+  const room = lean < 1 ? flag : clamp(pole - name - 12, 0, flag)
+  // Hoisted there all the same, it hangs on the other side of the pole, without its time.
+  const cramped = end && room < flag
+  const free = canvas < 480 && !end ? 0 : room
+  const width = cramped ? Math.max(name, pole) + FLAG : name + free
+  return { actor, text, time: cramped ? '' : time, textWidth, flag, width, lean, pole }
+}
+
+/**
+ * A label hangs over the side on which the ground falls away, and over level ground to the left; but to the right
+ * where there is no room for it.
+ */
+function leanAt(descent: number, pole: number, width: number): number {
+  const room = clamp((pole - 0.85 * width) / (0.15 * width + 12), 0, 1)
+  // Over ground that rises steeply to the right there is even less.
+  const wall = clamp((-descent - 0.35) / 0.1, 0, 1)
+  return Math.min(Math.max(room, wall), 1 - clamp(descent / 0.25, 0, 1))
+}

@@ -1,0 +1,78 @@
+import type { ExactMotion, Trajectory } from '../physics/index.ts'
+import { clamp } from './geometry.ts'
+import type { Picture } from './picture.ts'
+
+/** A stretch of the track [m]. */
+export interface Extent {
+  readonly from: number
+  readonly to: number
+}
+
+/** Samples of the true motion: enough to see every swing's end to a pixel or so. */
+const SAMPLES = 240
+
+/**
+ * The stretch of track that a picture must show: the start, the true motion, and the runners as far as they stay
+ * within reach of it. One that diverges would shrink everything else to a point.
+ */
+export function extentOf(picture: Picture): Extent {
+  const truth = exactExtent(picture.exact, picture.duration)
+  const start = picture.parameters.position!
+  let from = Math.min(truth.from, start)
+  let to = Math.max(truth.to, start)
+  const reach = Math.max(to - from, smallest(picture))
+  const low = from - reach
+  const high = to + reach
+  for (const { trajectory } of picture.runners) {
+    const run = runExtent(trajectory)
+    from = Math.min(from, clamp(run.from, low, high))
+    to = Math.max(to, clamp(run.to, low, high))
+  }
+  return widened({ from, to }, smallest(picture))
+}
+
+/** The least that is shown [m]: a block that never moves still stands on a ramp that can be seen and dragged. */
+function smallest({ scene, parameters }: Picture): number {
+  if (scene.id === 'half-pipe') return 0.2 * parameters.radius!
+  // A stiff spring's whole motion is within millimetres.
+  return scene.id === 'spring' ? 0.01 : 0.5
+}
+
+function widened({ from, to }: Extent, least: number): Extent {
+  const lack = Math.max(0, least - (to - from)) / 2
+  return { from: from - lack, to: to + lack }
+}
+
+const runs = new WeakMap<Trajectory, Extent>()
+
+function runExtent(trajectory: Trajectory): Extent {
+  let extent = runs.get(trajectory)
+  if (!extent) {
+    let from = Infinity
+    let to = -Infinity
+    for (const s of trajectory.drawnS) {
+      if (s < from) from = s
+      if (s > to) to = s
+    }
+    runs.set(trajectory, (extent = { from, to }))
+  }
+  return extent
+}
+
+const truths = new WeakMap<ExactMotion, Extent & { duration: number }>()
+
+function exactExtent(exact: ExactMotion, duration: number): Extent {
+  const known = truths.get(exact)
+  if (known?.duration === duration) return known
+  const state = { s: 0, v: 0 }
+  let from = Infinity
+  let to = -Infinity
+  for (let i = 0; i <= SAMPLES; i++) {
+    const { s } = exact((duration * i) / SAMPLES, state)
+    if (s < from) from = s
+    if (s > to) to = s
+  }
+  const extent = { from, to, duration }
+  truths.set(exact, extent)
+  return extent
+}

@@ -1,0 +1,99 @@
+import { around, clamp, moved } from './geometry.ts'
+import type { Box, Point } from './geometry.ts'
+import { handleAt } from './handles.ts'
+import type { Layout } from './layout.ts'
+import { degrees, place, speed } from './numbers.ts'
+import type { Palette } from './palette.ts'
+import type { Picture } from './picture.ts'
+import type { Projection, Spot } from './projection.ts'
+import { widthOf, write } from './text.ts'
+
+/** A figure next to a handle. */
+interface Figure {
+  readonly text: string
+  /** Where its middle stands. */
+  readonly at: Point
+  readonly held: boolean
+}
+
+/** The figures that stand next to handles: the speed always, what is held or pointed at too. */
+export function figuresOf(picture: Picture, layout: Layout, projection: Projection): Figure[] {
+  const { scene, parameters, held, lit } = picture
+  const spot = projection.at(parameters.position!)
+  const figures: Figure[] = []
+  const v = parameters.speed!
+  if (v !== 0 || held === 'push' || lit === 'push') {
+    const tip = handleAt('push', picture, layout)
+    const at = scene.id === 'fall' ? moved(tip, spot.out, 40) : moved(tip, clear(spot, 24), 1)
+    figures.push({ text: speed(Math.abs(v)), at, held: held === 'push' })
+  }
+  if (held === 'place') {
+    const middle = handleAt('place', picture, layout)
+    const at = moved(middle, clear(spot, layout.block / 2 + 20), 1)
+    figures.push({
+      text: place(parameters.position!, 2 / layout.camera.scale),
+      at: scene.id === 'fall' ? moved(middle, spot.out, layout.block / 2 + 34) : at,
+      held: true,
+    })
+  }
+  if (held === 'tilt' && 'angle' in parameters) {
+    const at = moved(handleAt('tilt', picture, layout), { x: 0, y: -1 }, 28)
+    figures.push({ text: degrees(parameters.angle!), at, held: true })
+  }
+  return figures
+}
+
+/** A distance away from the ground, more sideways than upwards: a figure is wider than it is high. */
+function clear({ out }: Spot, distance: number): Point {
+  return { x: 1.9 * out.x * distance, y: out.y * distance }
+}
+
+/** The room that each takes, on the canvas. */
+export function figureBoxes(
+  context: CanvasRenderingContext2D,
+  figures: readonly Figure[],
+  { width, height }: Layout,
+  palette: Palette,
+): Box[] {
+  return figures.map(({ text, at, held }) => {
+    setFont(context, held, width, palette)
+    const half = widthOf(context, text) / 2 + 7
+    const x = clamp(at.x, half + 4, width - half - 4)
+    return around({ x, y: clamp(at.y, 16, height - 16) }, half, 12)
+  })
+}
+
+/** Writes each into its box. */
+export function drawFigures(
+  context: CanvasRenderingContext2D,
+  figures: readonly Figure[],
+  boxes: readonly Box[],
+  { width }: Layout,
+  palette: Palette,
+): void {
+  figures.forEach(({ text, held }, i) => {
+    const { left, right, top, bottom } = boxes[i]!
+    if (held) {
+      context.beginPath()
+      context.roundRect(left, top, right - left, bottom - top, 6)
+      context.fillStyle = palette.accent
+      context.fill()
+    }
+    setFont(context, held, width, palette)
+    context.fillStyle = held ? palette.sheet : palette.accentText
+    write(context, text, (left + right) / 2, (top + bottom) / 2 + 5, {
+      align: 'center',
+      ...(held ? {} : { halo: palette.sheet }),
+    })
+  })
+}
+
+function setFont(
+  context: CanvasRenderingContext2D,
+  held: boolean,
+  width: number,
+  { sans, serif }: Palette,
+): void {
+  const size = width < 480 ? 14 : 16
+  context.font = held ? `600 ${size - 1}px ${sans}` : `italic ${size + 1}px ${serif}`
+}

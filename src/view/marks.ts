@@ -1,0 +1,46 @@
+/**
+ * The eight marks that tell runners apart without colour, each drawn into a circle around the origin of radius 1 and
+ * of about the same weight.
+ */
+const marks: readonly ((path: Path2D) => void)[] = [
+  (path) => polygon(path, 3, 1, -Math.PI / 2),
+  (path) => path.arc(0, 0, 0.78, 0, 2 * Math.PI),
+  (path) => path.rect(-0.7, -0.7, 1.4, 1.4),
+  (path) => polygon(path, 4, 1, -Math.PI / 2),
+  (path) => {
+    path.rect(-0.95, -0.28, 1.9, 0.56)
+    path.rect(-0.28, -0.95, 0.56, 1.9)
+  },
+  (path) => star(path),
+  (path) => path.rect(-0.95, -0.36, 1.9, 0.72),
+  (path) => {
+    path.arc(0, 0, 0.9, 0, 2 * Math.PI)
+    path.arc(0, 0, 0.48, 0, 2 * Math.PI, true)
+  },
+]
+
+/** A mark of a radius around a point. */
+export function markPath(look: number, x: number, y: number, radius: number): Path2D {
+  const unit = new Path2D()
+  marks[look % marks.length]!(unit)
+  const path = new Path2D()
+  path.addPath(unit, new DOMMatrix([radius, 0, 0, radius, x, y]))
+  return path
+}
+
+function polygon(path: Path2D, corners: number, radius: number, start: number): void {
+  for (let i = 0; i < corners; i++) {
+    const angle = start + (2 * Math.PI * i) / corners
+    path.lineTo(radius * Math.cos(angle), radius * Math.sin(angle))
+  }
+  path.closePath()
+}
+
+function star(path: Path2D): void {
+  for (let i = 0; i < 10; i++) {
+    const radius = i % 2 === 0 ? 1.05 : 0.45
+    const angle = -Math.PI / 2 + (Math.PI * i) / 5
+    path.lineTo(radius * Math.cos(angle), radius * Math.sin(angle))
+  }
+  path.closePath()
+}

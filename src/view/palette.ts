@@ -1,0 +1,127 @@
+import { clamp } from './geometry.ts'
+
+/** The colours and typefaces of a picture, from the page's custom properties. */
+export interface Palette {
+  readonly ink: string
+  readonly inkSoft: string
+  readonly paper: string
+  readonly sheet: string
+  readonly ground: string
+  readonly line: string
+  readonly accent: string
+  readonly accentText: string
+  /** By look, 0 … 7: to fill with, and to write with. */
+  readonly runners: readonly { readonly fill: string; readonly text: string }[]
+  readonly sans: string
+  readonly serif: string
+}
+
+/** Red, green and blue, 0 … 255. */
+export type Rgb = readonly [number, number, number]
+
+/** What text needs against what it stands on. */
+const TEXT_CONTRAST = 4.5
+
+/** Reads the palette of an element, and again when the page's theme has changed it. */
+export class PaletteReader {
+  private readonly style: CSSStyleDeclaration
+  private key = ''
+  private palette: Palette | undefined
+
+  constructor(element: Element) {
+    // Alive: it follows every change of the page's styles.
+    this.style = getComputedStyle(element)
+  }
+
+  read(): Palette {
+    const key = ['--ink', '--sheet', '--accent', '--sans'].map((name) => this.get(name)).join()
+    if (!this.palette || key !== this.key) {
+      this.key = key
+      this.palette = this.readAll()
+    }
+    return this.palette
+  }
+
+  private get(name: string): string {
+    return this.style.getPropertyValue(name).trim()
+  }
+
+  private readAll(): Palette {
+    const toRgb = colourParser()
+    const colour = (name: string, fallback: string) => this.get(name) || fallback
+    const ink = colour('--ink', '#1d2127')
+    const sheet = colour('--sheet', '#ffffff')
+    const accent = colour('--accent', '#0a5cc5')
+    const legible = (value: string) => css(readable(toRgb(value), toRgb(sheet), toRgb(ink)))
+    return {
+      ink,
+      sheet,
+      accent,
+      accentText: legible(accent),
+      inkSoft: colour('--ink-soft', '#5c6370'),
+      paper: colour('--paper', '#fbfaf6'),
+      ground: colour('--ground', '#eeece4'),
+      line: colour('--line', '#dfddd4'),
+      runners: okabeIto.map((fallback, i) => {
+        const fill = colour(`--runner-${i}`, fallback)
+        return { fill, text: legible(fill) }
+      }),
+      sans: this.get('--sans') || 'system-ui, sans-serif',
+      serif: this.get('--serif') || 'Georgia, serif',
+    }
+  }
+}
+
+/** For a page that says nothing. */
+const okabeIto = [
+  ...['#d55e00', '#0072b2', '#009e73', '#cc79a7'],
+  ...['#e69f00', '#56b4e9', '#7a6a00', '#5c4b8a'],
+]
+
+/** A colour as near to the given one as can be read on a background: mixed with ink until its contrast suffices. */
+export function readable(colour: Rgb, background: Rgb, ink: Rgb): Rgb {
+  for (let part = 0; part < 1; part += 0.05) {
+    const mixed = mix(colour, ink, part)
+    if (contrast(mixed, background) >= TEXT_CONTRAST) return mixed
+  }
+  return ink
+}
+
+/** The contrast of two colours as WCAG defines it, 1 … 21. */
+export function contrast(a: Rgb, b: Rgb): number {
+  const [low, high] = [luminance(a), luminance(b)].sort((p, q) => p - q) as [number, number]
+  return (high + 0.05) / (low + 0.05)
+}
+
+function luminance(colour: Rgb): number {
+  const [r, g, b] = colour.map((value) => {
+    const part = value / 255
+    return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4
+  }) as [number, number, number]
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+function mix(a: Rgb, b: Rgb, part: number): Rgb {
+  return a.map((value, i) => Math.round(clamp(value + part * (b[i]! - value), 0, 255))) as [
+    number,
+    number,
+    number,
+  ]
+}
+
+function css([r, g, b]: Rgb): string {
+  return `rgb(${r} ${g} ${b})`
+}
+
+/** Lets the browser itself say what a colour is, in whichever notation the page has it. */
+function colourParser(): (colour: string) => Rgb {
+  const canvas = document.createElement('canvas')
+  canvas.width = canvas.height = 1
+  const context = canvas.getContext('2d', { willReadFrequently: true })!
+  return (colour) => {
+    context.fillStyle = colour
+    context.fillRect(0, 0, 1, 1)
+    const [r, g, b] = context.getImageData(0, 0, 1, 1).data
+    return [r!, g!, b!]
+  }
+}

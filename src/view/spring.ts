@@ -1,0 +1,74 @@
+import type { Body } from './body.ts'
+import { moved } from './geometry.ts'
+import type { Point } from './geometry.ts'
+import type { Layout } from './layout.ts'
+import { drawnEnds } from './outline.ts'
+import type { Palette } from './palette.ts'
+import type { Projection } from './projection.ts'
+import { widthOf, write } from './text.ts'
+
+const TURNS = 14
+
+/** The spring from its anchor up the slope to a block, and the place where it is slack. */
+export function drawSpring(
+  context: CanvasRenderingContext2D,
+  { spot }: Body,
+  layout: Layout,
+  projection: Projection,
+  palette: Palette,
+): void {
+  const { block } = layout
+  const anchor = projection.at(drawnEnds(layout).from)
+  const height = block / 2
+  const hook = moved(anchor, anchor.out, height)
+  const end = moved(moved(spot, spot.out, height), spot.along, -block / 2)
+
+  context.strokeStyle = palette.ink
+  context.lineWidth = 3
+  context.lineCap = 'round'
+  stroke(context, [anchor, moved(anchor, anchor.out, block)])
+  context.lineWidth = 1.5
+  context.strokeStyle = palette.inkSoft
+  stroke(context, coil(hook, end, anchor.out, 0.22 * block))
+  context.lineCap = 'butt'
+  drawSlack(context, layout, projection, palette)
+}
+
+/** A zigzag with straight ends. */
+function coil(from: Point, to: Point, out: Point, amplitude: number): Point[] {
+  const at = (part: number) => ({
+    x: from.x + (to.x - from.x) * part,
+    y: from.y + (to.y - from.y) * part,
+  })
+  const first = 0.07
+  const points = [from, at(first)]
+  for (let i = 0; i < 2 * TURNS; i++) {
+    const part = first + ((1 - 2 * first) * (i + 0.5)) / (2 * TURNS)
+    points.push(moved(at(part), out, i % 2 === 0 ? amplitude : -amplitude))
+  }
+  return [...points, at(1 - first), to]
+}
+
+function drawSlack(
+  context: CanvasRenderingContext2D,
+  { lanes, width }: Layout,
+  projection: Projection,
+  palette: Palette,
+): void {
+  const spot = projection.at(0)
+  const foot = moved(spot, spot.out, -lanes.depth - 3)
+  context.strokeStyle = context.fillStyle = palette.inkSoft
+  context.lineWidth = 1
+  stroke(context, [moved(spot, spot.out, 5), foot])
+  context.font = `${width < 480 ? 11 : 12}px ${palette.sans}`
+  // Beyond the mark in its own direction, so that the word never runs back into the dots.
+  const half = widthOf(context, 'slack') / 2
+  const at = moved(foot, spot.out, -10)
+  write(context, 'slack', at.x - spot.out.x * half, at.y + 4, { align: 'center' })
+}
+
+function stroke(context: CanvasRenderingContext2D, points: readonly Point[]): void {
+  context.beginPath()
+  for (const { x, y } of points) context.lineTo(x, y)
+  context.stroke()
+}

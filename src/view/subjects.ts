@@ -1,0 +1,79 @@
+import type { Parameters } from '../physics/index.ts'
+import type { Subject } from './camera.ts'
+import type { Extent } from './extent.ts'
+import { moved } from './geometry.ts'
+import type { Point } from './geometry.ts'
+import type { Picture } from './picture.ts'
+import { Projection, worldPoint } from './projection.ts'
+import { arrowReach } from './sizes.ts'
+import type { Sizes } from './sizes.ts'
+
+/** Where the bend of a run-out ends and the flat begins [m]. */
+export function bendEnd({ length, bendRadius, angle }: Parameters): number {
+  return length! + (bendRadius! * angle! * Math.PI) / 180
+}
+
+/** How far a slope goes on beyond the run: a spring needs room above for its coil. */
+export function slopeRoom({ scene }: Picture, block: number): { top: number; foot: number } {
+  return { top: scene.id === 'spring' ? 2.6 * block : 1.6 * block, foot: 0.75 * block }
+}
+
+/** Everything that must be seen, with the room around it. */
+export function subjectsOf(
+  picture: Picture,
+  extent: Extent,
+  sizes: Sizes,
+  height: number,
+): Subject[] {
+  const { scene, parameters, runners } = picture
+  const { block, lanes, row } = sizes
+  const unit = new Projection(scene, parameters, { scale: 1, x: 0, y: 0 })
+  const subject = (s: number, left: number, right: number, above: number, below: number) => ({
+    ...worldPoint(scene, parameters, s),
+    ...{ left, right, above, below },
+  })
+  /** Room for a point that is so many pixels away from the place s, and for what is around it. */
+  const beside = (s: number, offset: Point, rim: number) =>
+    subject(s, rim - offset.x, rim + offset.x, rim - offset.y, rim + offset.y)
+
+  const vertical = scene.id === 'fall'
+  const side = 0.8 * block
+  // A stack that would take half the canvas goes on beside itself.
+  const labels = Math.min((runners.length + 1) * row + 1.35 * block + 12, 0.46 * height)
+  // At the start the labels stand on the arrow's figure.
+  const figure = 24
+  const above = vertical ? block : labels
+  const below = vertical ? block : lanes.depth + 34
+  const subjects = samples(extent).map((s) => subject(s, side, side, above, below))
+
+  const start = parameters.position!
+  subjects.push(subject(start, side, side, Math.min(above + figure, 0.46 * height), below))
+  const { along, out } = unit.at(start)
+  const middle = moved({ x: 0, y: 0 }, out, block / 2)
+  subjects.push(beside(start, moved(middle, along, arrowReach(picture, sizes.arrow)), 30))
+  if (vertical) return subjects
+
+  const room = slopeRoom(picture, block)
+  if (scene.id === 'half-pipe') {
+    for (const s of lips(parameters, extent)) subjects.push(subject(s, 26, 26, 18, 40))
+  } else {
+    subjects.push(
+      beside(extent.from, moved({ x: 0, y: 0 }, unit.at(extent.from).along, -room.top), 26),
+    )
+    const foot = moved({ x: 0, y: 0 }, unit.at(extent.to).along, room.foot)
+    subjects.push(beside(extent.to, foot, 20))
+    if (scene.id === 'run-out') subjects.push(subject(bendEnd(parameters), 20, 60, 20, below))
+  }
+  return subjects
+}
+
+/** The lips of a half-pipe, or the part of it around a run that is much smaller. */
+function lips({ radius }: Parameters, { from, to }: Extent): [number, number] {
+  const lip = (Math.PI / 2) * radius!
+  const more = 4 * (to - from)
+  return [Math.max(-lip, from - more), Math.min(lip, to + more)]
+}
+
+function samples({ from, to }: Extent): number[] {
+  return Array.from({ length: 33 }, (_, i) => from + ((to - from) * i) / 32)
+}

@@ -1,0 +1,81 @@
+import { describe, expect, it } from 'vitest'
+import { integrators, scenes, simulate, stoppings, traceFrame } from '../../src/physics/index.ts'
+import type { Experiment } from '../../src/physics/index.ts'
+
+const everything: Experiment[] = scenes.flatMap(({ id: scene }) =>
+  integrators.flatMap(({ id: integrator }) =>
+    stoppings.map(({ id: stopping }) => ({
+      scene,
+      integrator,
+      stopping,
+      parameters: { speed: -2 },
+      timestep: { kind: 'substeps', step: 1 / 30 } as const,
+      frames: { kind: 'steady', fps: 12 } as const,
+      duration: 1,
+    })),
+  ),
+)
+
+describe('the trace of a frame', () => {
+  it('is of the very steps that ran: begins and ends at the trajectory’s rows, bit for bit', () => {
+    for (const experiment of everything) {
+      const run = simulate(experiment)
+      for (let row = 1; row <= run.frames; row++) {
+        const steps = traceFrame(experiment, row)
+        expect(steps[0]?.from ?? { s: run.s[row], v: run.v[row] }).toEqual({
+          s: run.s[row - 1],
+          v: run.v[row - 1],
+        })
+        expect(steps.at(-1)?.to ?? { s: run.s[row - 1], v: run.v[row - 1] }).toEqual({
+          s: run.s[row],
+          v: run.v[row],
+        })
+        for (const { stretches } of steps)
+          for (const { tries } of stretches)
+            for (const { evaluations } of tries)
+              expect(evaluations.every(({ a }) => Number.isFinite(a))).toBe(true)
+      }
+    }
+  })
+
+  it('shows the stop that was located, the tries that found it, and the exact 0 it ends at', () => {
+    const kicked: Experiment = {
+      scene: 'ramp',
+      parameters: { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5 },
+      frames: { kind: 'steady', fps: 10 },
+      duration: 1,
+    }
+    // It stops after 0.69 s: in the seventh frame.
+    const [step] = traceFrame(kicked, 7)
+    expect(step!.outcome).toBe('at-rest')
+    expect(step!.to.v).toBe(0)
+    const [stretch] = step!.stretches
+    expect(stretch!.jump).toBe('stop')
+    expect(stretch!.tries[0]!.dt).toBe(0.1)
+    expect(stretch!.tries[0]!.to.v).toBeGreaterThan(0)
+    const kept = stretch!.tries.at(-1)!
+    expect(kept.slip).toBe(-1)
+    expect(Math.abs(kept.to.v)).toBeLessThan(1e-15)
+    expect(kept.to.s).toBe(step!.to.s)
+  })
+
+  it('shows joints', () => {
+    const run: Experiment = {
+      scene: 'run-out',
+      parameters: { length: 0.5 },
+      frames: { kind: 'steady', fps: 2 },
+      duration: 1,
+    }
+    const jumps = [1, 2].flatMap((frame) =>
+      traceFrame(run, frame).flatMap(({ stretches }) => stretches.map(({ jump }) => jump)),
+    )
+    expect(jumps).toContain('joint')
+  })
+
+  it('refuses a frame that the run does not have', () => {
+    expect(() => traceFrame({ scene: 'ramp', duration: 1 }, 61)).toThrow(
+      /no frame 61; its frames are 1 to 60/,
+    )
+    expect(() => traceFrame({ scene: 'ramp' }, 0)).toThrow(RangeError)
+  })
+})
