@@ -8,8 +8,10 @@ export default defineConfig({
   build: {
     target: 'es2022',
     rolldownOptions: {
-      input: ['index.html'],
+      input: ['index.html', 'embed.html'],
     },
   },
+  // In a frame that is sandboxed, as the embed code's is, a page has no origin, and what it loads comes from another.
+  preview: { headers: { 'Access-Control-Allow-Origin': '*' } },
   worker: { format: 'es' },
 })

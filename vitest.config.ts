@@ -4,6 +4,12 @@ export default defineConfig({
   test: {
     testTimeout: 60_000,
     hookTimeout: 60_000,
+    coverage: {
+      provider: 'v8',
+      include: ['src/physics/**/*.ts'],
+      reporter: ['text'],
+      thresholds: { lines: 100, branches: 100 },
+    },
     projects: [
       {
         extends: true,

@@ -10,7 +10,7 @@ const rules: Record<string, Rule> = {
   physics: { runtime: [], types: [] },
   measure: { runtime: ['physics'], types: [] },
   view: { runtime: [], types: ['physics'] },
-  figure: { runtime: ['physics', 'measure', 'view', 'lit'], types: [] },
+  figure: { runtime: ['physics', 'measure', 'view', 'lit', 'uplot'], types: [] },
   tutorial: { runtime: ['figure'], types: [] },
   report: { runtime: ['physics', 'measure', 'node:'], types: [] },
 }

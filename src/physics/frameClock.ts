@@ -12,7 +12,7 @@ export interface Frames {
 /** A way in which frames follow each other. */
 export interface FrameClock extends Described {
   readonly options: Options
-  /** Frames in a second, in the long run. */
-  rate(options: never): number
+  /** How many frames a run of that many seconds has at the most; chance may add a few. */
+  frames(options: never, duration: number): number
   start(options: never): Frames
 }

@@ -16,7 +16,7 @@ export { createRun, simulate } from './simulate.ts'
 export type { Outcome, Run } from './run.ts'
 export type { Trajectory } from './trajectory.ts'
 export { traceFrame } from './trace.ts'
-export type { Evaluation, PolicyStep, Stretch, TriedStep } from './trace.ts'
+export type { Evaluation, PolicyStep, Standing, Stretch, TriedStep } from './trace.ts'
 export { exact, exactMotion } from './exact/index.ts'
 export type { ExactMotion, Parameters, Place, Scene, State } from './scene.ts'
 

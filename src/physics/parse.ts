@@ -60,7 +60,7 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
 function boundWork({ duration, frames, timestep }: ResolvedExperiment, reader: Reader): void {
   const clock: FrameClock = entry(frameClocks, frames.kind)
   const policy: TimestepPolicy = entry(timesteps, timestep.kind)
-  const frameCount = duration * clock.rate(frames as never)
+  const frameCount = Math.ceil(clock.frames(frames as never, duration))
   const stepCount = policy.steps(timestep as never, duration, frameCount)
   if (frameCount > limits.frames)
     reader.report(
@@ -163,7 +163,8 @@ class Reader {
     if (!Array.isArray(value)) this.report(path, `${show(value)} is not a list of numbers`)
     else if (value.length < 1 || value.length > option.maxLength)
       this.report(path, `${show(value)} does not hold 1…${option.maxLength} numbers`)
-    else return value.map((item, i) => this.number(`${path}[${i}]`, item, option))
+    // Array.from sees the holes of a list, which `map` skips.
+    else return Array.from(value, (item, i) => this.number(`${path}[${i}]`, item, option))
     return undefined
   }
 

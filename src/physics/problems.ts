@@ -37,7 +37,8 @@ export function show(value: unknown): string {
 
 /** Text cut to what fits in a message, by whole characters. */
 export function shorten(text: string): string {
-  const start = Array.from(text.slice(0, 2 * LONGEST))
+  // A character takes one or two places.
+  const start = Array.from(text.slice(0, 2 * LONGEST + 2))
   return start.length > LONGEST ? `${start.slice(0, LONGEST).join('')}…` : text
 }
 

@@ -11,7 +11,7 @@ export function settle(motion: Motion): void {
     if (!(Math.abs(motion.s) + Math.abs(motion.v) < Infinity)) motion.rewind()
     return
   }
-  if (motion.rubs) addHeat(motion)
+  if (motion.rubs && motion.dt > 0) addHeat(motion)
 }
 
 /**

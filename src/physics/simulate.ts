@@ -26,7 +26,7 @@ export function createRun(experiment: Experiment): Run {
 export function simulate(experiment: Experiment): Trajectory {
   const resolved = parseExperiment(experiment)
   const clock: FrameClock = entry(frameClocks, resolved.frames.kind)
-  const expected = resolved.duration * clock.rate(resolved.frames as never)
+  const expected = clock.frames(resolved.frames as never, resolved.duration)
   const recorder = new Recorder(Math.ceil(1.02 * expected) + 2)
   const loop = new FrameLoop(resolved)
   recorder.record(loop.run)

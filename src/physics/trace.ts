@@ -23,7 +23,9 @@ export interface TriedStep {
   to: State
   /** The slip direction that was held, 0 where it followed the sign of each v. */
   slip: -1 | 0 | 1
-  /** An acceleration that served again from the step before is not among them. */
+  /** The acceleration at `from`, where it was known from the step before and served again [m/s²]. */
+  reused: number | undefined
+  /** One that was reused is not among them. */
   evaluations: Evaluation[]
 }
 
@@ -36,12 +38,20 @@ export interface Stretch {
   jump?: 'stop' | 'joint'
 }
 
+/** A look at a block with v = 0, whether static friction holds it; `a` is the drive that it has to hold against. */
+export interface Standing extends Evaluation {
+  /** When, in the step that the policy asked for [s]. */
+  begins: number
+}
+
 /** A step that the timestep policy asked for. */
 export interface PolicyStep {
   dt: number
   from: State
   to: State
   stretches: Stretch[]
+  /** Of these the last one held where the outcome is at rest; after each of the others the block set off. */
+  standings: Standing[]
   outcome: Motion['outcome']
 }
 
@@ -77,7 +87,13 @@ class Watcher implements Watch {
       forces: (motion) => {
         law.forces(motion)
         const { s, v, drive, press } = motion
-        this.evaluations?.push({ s, v, drive, press, a: NaN })
+        if (this.evaluations) this.evaluations.push({ s, v, drive, press, a: NaN })
+        // Only static friction asks about a block that slides to neither side.
+        else if (this.writes && motion.slipHeld && motion.slip === 0)
+          this.steps[this.steps.length - 1]!.standings.push({
+            ...{ s, v, drive, press, a: drive },
+            begins: motion.elapsed,
+          })
       },
     }
   }
@@ -108,6 +124,7 @@ class Watcher implements Watch {
       from: stateOf(motion),
       to: stateOf(motion),
       stretches: [],
+      standings: [],
       outcome: 'moving',
     }
     this.steps.push(step)
@@ -131,6 +148,7 @@ class Watcher implements Watch {
       from: stateOf(motion),
       to: stateOf(motion),
       slip,
+      reused: motion.known ? motion.a : undefined,
       evaluations: [],
     }
     this.evaluations = tried.evaluations

@@ -15,6 +15,8 @@ export interface Actor {
   readonly last: number
   /** Which end of the picture it has run out of, if it has: −1 that of small s. */
   readonly beyond: -1 | 0 | 1
+  /** Which row of its run is shown; of the exact one none. */
+  readonly row?: number | undefined
   /** How its run has ended by now, if it has. */
   readonly end?: End | undefined
   /** Whether it will come to rest. */
@@ -35,13 +37,16 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
   })
   const simulated = runners.map((runner) => {
     const { drawnS } = runner.trajectory
+    const goal = (runner.goal ?? runner.trajectory).drawnS
     const row = rowAt(runner.trajectory, time)
     const end = endOf(runner.trajectory)
     return {
       ...standing(drawnS[row]!),
-      last: clamp(drawnS[drawnS.length - 1]!, from, to),
+      distance: Math.abs(goal[row]! - start),
+      last: clamp(goal[goal.length - 1]!, from, to),
       end: end && row >= end.row ? end : undefined,
       rests: end?.kind === 'at-rest',
+      row,
       runner,
     }
   })

@@ -69,6 +69,7 @@ export function drawFigures(
   figures: readonly Figure[],
   boxes: readonly Box[],
   { width }: Layout,
+  vertical: boolean,
   palette: Palette,
 ): void {
   figures.forEach(({ text, held }, i) => {
@@ -78,6 +79,11 @@ export function drawFigures(
       context.roundRect(left, top, right - left, bottom - top, 6)
       context.fillStyle = palette.accent
       context.fill()
+    }
+    // Lines from balls to their labels pass here.
+    if (vertical && !held) {
+      context.fillStyle = palette.sheet
+      context.fillRect(left + 4, top + 2, right - left - 8, bottom - top - 4)
     }
     setFont(context, held, width, palette)
     context.fillStyle = held ? palette.sheet : palette.accentText

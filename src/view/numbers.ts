@@ -46,6 +46,11 @@ export function seconds(value: number): string {
   return withUnit(value * 1e9, 'ns')
 }
 
+/** A whole number with its digits in threes: “12 345”. */
+export function count(value: number): string {
+  return String(value).replace(/\B(?=(\d{3})+$)/g, thin)
+}
+
 /** Every digit, for a title attribute: as it can be pasted back. */
 export function raw(value: number): string {
   return String(value)

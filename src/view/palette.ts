@@ -1,4 +1,5 @@
 import { clamp } from './geometry.ts'
+import type { ArrowId } from './picture.ts'
 
 /** The colours and typefaces of a picture, from the page's custom properties. */
 export interface Palette {
@@ -12,6 +13,8 @@ export interface Palette {
   readonly accentText: string
   /** By look, 0 … 7: to fill with, and to write with. */
   readonly runners: readonly { readonly fill: string; readonly text: string }[]
+  /** Of the arrows on a block. */
+  readonly arrows: Readonly<Record<ArrowId, string>>
   readonly sans: string
   readonly serif: string
 }
@@ -66,6 +69,14 @@ export class PaletteReader {
         const fill = colour(`--runner-${i}`, fallback)
         return { fill, text: legible(fill) }
       }),
+      arrows: {
+        gravity: colour('--force-gravity', ink),
+        normal: colour('--force-normal', ink),
+        friction: colour('--force-friction', ink),
+        other: colour('--force-other', ink),
+        sum: colour('--force-sum', ink),
+        velocity: colour('--velocity', ink),
+      },
       sans: this.get('--sans') || 'system-ui, sans-serif',
       serif: this.get('--serif') || 'Georgia, serif',
     }

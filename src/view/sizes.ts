@@ -11,6 +11,8 @@ export interface Sizes {
   readonly row: number
   /** The length of the arrow of 1 m/s. */
   readonly arrow: number
+  /** The length of the longest force's arrow. */
+  readonly force: number
 }
 
 /** How far the arrow's tip is from the block's middle at no speed, so that it can be pulled out. */
@@ -41,5 +43,6 @@ export function sizesOf(
       clamp(width / 40, 10, 26),
       longest / Math.max(1e-9, Math.abs(parameters.speed!)),
     ),
+    force: clamp(Math.min(0.26 * height, 0.2 * width), 48, 104),
   }
 }

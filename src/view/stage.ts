@@ -3,12 +3,15 @@ import { drawAngle } from './angleArc.ts'
 import { strokeBody } from './body.ts'
 import { drawCaptions } from './captions.ts'
 import { dragged } from './drag.ts'
+import { forceArrows } from './forces.ts'
+import { drawForces } from './forcesDrawing.ts'
 import { drawFigures, figureBoxes, figuresOf } from './figures.ts'
 import { drawGround } from './ground.ts'
 import { drawHandles, handlesOf } from './handles.ts'
 import { around } from './geometry.ts'
 import { held, layOut } from './layout.ts'
 import type { Layout } from './layout.ts'
+import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
 import { PaletteReader } from './palette.ts'
 import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
@@ -97,15 +100,26 @@ function paint(
   if ('angle' in parameters) drawAngle(context, picture, layout, projection, palette)
   drawStrobe(context, picture, layout, projection, palette)
   drawGhost(context, picture, layout, projection, palette)
-  if (scene.id === 'spring') drawSpring(context, actors[0]!.body, layout, projection, palette)
+  // With the exact block as the last of them there is always one for the spring to hang on.
+  const selected = picture.selected === undefined ? undefined : actors[picture.selected]
+  if (scene.id === 'spring')
+    drawSpring(context, (selected ?? actors[0]!).body, layout, projection, palette)
   for (const actor of actors) drawRunner(context, actor, palette)
+  // What has arrows stands in front of the others.
+  if (selected && picture.forces) drawRunner(context, selected, palette)
   strokeBody(context, actors.at(-1)!.body, { colour: palette.ink, width: 2 })
+  const physics = selected && physicsOf(selected, picture, layout, projection)
+  if (physics) drawOutline(context, physics, palette)
   drawPush(context, picture, layout, palette)
   const figures = figuresOf(picture, layout, projection)
   const boxes = figureBoxes(context, figures, layout, palette)
   const room = [...startRoom(picture, layout, projection), ...boxes]
   for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))
+  const arrows = selected ? forceArrows(picture, selected, layout, room) : []
+  for (const arrow of arrows) room.push(arrow.box, ...arrow.room)
   drawCaptions(context, picture, actors, room, layout, projection, palette)
-  drawFigures(context, figures, boxes, layout, palette)
+  if (physics) drawWords(context, physics, layout, scene.id === 'fall', palette)
+  drawForces(context, arrows, palette)
+  drawFigures(context, figures, boxes, layout, scene.id === 'fall', palette)
   drawHandles(context, handles, picture, palette)
 }

@@ -37,13 +37,17 @@ export function subjectsOf(
     subject(s, rim - offset.x, rim + offset.x, rim - offset.y, rim + offset.y)
 
   const vertical = scene.id === 'fall'
-  const side = 0.8 * block
+  // From the block's middle to the end of the letters at the longest arrow's tip.
+  const reach = picture.forces ? sizes.force + 20 : 0
+  const side = Math.max(0.8 * block, 0.8 * reach)
   // A stack that would take half the canvas goes on beside itself.
   const labels = Math.min((runners.length + 1) * row + 1.35 * block + 12, 0.46 * height)
   // At the start the labels stand on the arrow's figure.
   const figure = 24
-  const above = vertical ? block : labels
-  const below = vertical ? block : lanes.depth + 34
+  // Labels keep clear of the arrows too.
+  const stack = Math.min(labels + 0.35 * reach, Math.max(labels, 0.5 * height))
+  const above = vertical ? Math.max(block, reach) : Math.max(stack, reach + block / 2)
+  const below = vertical ? Math.max(block, reach) : Math.max(lanes.depth + 34, reach - block / 2)
   const subjects = samples(extent).map((s) => subject(s, side, side, above, below))
 
   const start = parameters.position!

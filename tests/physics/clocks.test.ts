@@ -126,12 +126,33 @@ describe('frame clocks', () => {
     expect(times).toEqual([0.25, 0.75, 1, 1.5])
   })
 
-  it.each(choices)('tell their rate in the long run: %o', (choice) => {
+  it.each(choices)('tell how many frames a run has: %o', (choice) => {
     const clock: FrameClock = entry(frameClocks, choice.kind)
     const frames = start(choice)
     for (let i = 0; i < 100_000; i++) frames.next()
     // Chance leaves at most six standard deviations of the mean, below 1 %.
-    expect(Math.abs((clock.rate(choice as never) * frames.time) / 100_000 - 1)).toBeLessThan(0.01)
+    expect(Math.abs(clock.frames(choice as never, frames.time) / 100_000 - 1)).toBeLessThan(0.01)
+  })
+
+  it.each<FramesChoice>([
+    // A run that is over before the first hitch, and one whose every interval is filled by its hitch.
+    { kind: 'hitch', fps: 1000, every: 60, length: 60 },
+    { kind: 'hitch', fps: 1000, every: 0.5, length: 60 },
+    // Hitches that end just before the next is due, or just after, and hitches shorter than a frame.
+    { kind: 'hitch', fps: 50, every: 1, length: 1.9999883 },
+    { kind: 'hitch', fps: 50, every: 1, length: 2.0000001 },
+    { kind: 'hitch', fps: 1, every: 0.01, length: 0.25 },
+    { kind: 'hitch', fps: 5.5, every: 0.01, length: 3.95 },
+    { kind: 'hitch', fps: 60, every: 0.0145, length: 0.001 },
+    { kind: 'recorded', durations: [0.001, 0.001, 0.001, 60] },
+  ])('tell how many frames a run has that ends among the short ones: %o', (choice) => {
+    const clock: FrameClock = entry(frameClocks, choice.kind)
+    const frames = start(choice)
+    for (let count = 0; count < 2000; count++) {
+      // The frame that reaches the end counts, and the steps to it may be rounded up.
+      expect(count).toBeLessThanOrEqual(clock.frames(choice as never, frames.time) * (1 + 1e-12))
+      frames.next()
+    }
   })
 
   it('draw the same frames for the same seed, and others for another', () => {

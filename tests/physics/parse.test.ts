@@ -115,7 +115,7 @@ describe('parseExperiment', () => {
 
   it('refuses a start beyond the lip of the pipe, and says where that is', () => {
     expect(refusal({ scene: 'half-pipe', parameters: { radius: 1 } }).message).toMatch(
-      /^parameters.position: 1.6 .*±1.5707/,
+      /^parameters.position: 1.6 .*±1.5708 m/,
     )
   })
 

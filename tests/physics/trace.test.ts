@@ -59,6 +59,48 @@ describe('the trace of a frame', () => {
     expect(kept.to.s).toBe(step!.to.s)
   })
 
+  it('shows what static friction held against: at the stop, or where the block stood', () => {
+    const kicked: Experiment = {
+      scene: 'ramp',
+      parameters: { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5 },
+      frames: { kind: 'steady', fps: 10 },
+      duration: 1,
+    }
+    const [located] = traceFrame(kicked, 7)
+    const [held] = located!.standings
+    expect(located!.standings).toHaveLength(1)
+    expect(held!.begins).toBe(located!.stretches[0]!.tries.at(-1)!.dt)
+    expect(held).toMatchObject({ s: located!.to.s, v: 0 })
+    expect(held!.drive).toBeCloseTo(9.81 * 0.258819, 5)
+    expect(held!.press).toBeCloseTo(9.81 * 0.965926, 5)
+    // The clamp stops it at the end of the frame; that it stays is found at the beginning of the next.
+    const clamped: Experiment = { ...kicked, stopping: 'clamped' }
+    expect(traceFrame(clamped, 7)[0]).toMatchObject({ standings: [], to: { v: 0 } })
+    expect(traceFrame(clamped, 8)[0]).toMatchObject({ stretches: [], outcome: 'at-rest' })
+    expect(traceFrame(clamped, 8)[0]!.standings).toMatchObject([
+      { begins: 0, v: 0, drive: held!.drive, press: held!.press },
+    ])
+    expect(traceFrame(clamped, 9)).toEqual([])
+    for (const frame of [1, 7])
+      expect(traceFrame({ ...kicked, stopping: 'naive' }, frame)[0]!.standings).toEqual([])
+  })
+
+  it('shows each time that it sets off, and the acceleration that served again', () => {
+    const back: Experiment = {
+      scene: 'ramp',
+      parameters: { angle: 40, speed: -2 },
+      frames: { kind: 'steady', fps: 2 },
+      duration: 1,
+    }
+    const [first, second] = [1, 2].flatMap((frame) => traceFrame(back, frame))
+    expect(first!.outcome).toBe('moving')
+    expect(first!.standings).toHaveLength(1)
+    expect(first!.stretches.map(({ tries }) => tries.at(-1)!.slip)).toEqual([-1, 1])
+    const { tries } = first!.stretches[1]!
+    expect(tries[0]!.reused).toBeUndefined()
+    expect(second!.stretches[0]!.tries[0]!.reused).toBe(tries.at(-1)!.evaluations.at(-1)!.a)
+  })
+
   it('shows joints', () => {
     const run: Experiment = {
       scene: 'run-out',

@@ -9,6 +9,13 @@ import type { BrowserServer } from 'playwright-core'
 /** One way to get a browser, and what to call it when it fails. */
 type Candidate = { name: string; launch: () => Promise<BrowserServer> }
 
+/** A browser that started. */
+type Started = {
+  server: BrowserServer
+  /** It is the one that npm brings along, the same for everybody. */
+  packaged: boolean
+}
+
 // No name resolves: the browser cannot fetch, report or update anything, and neither can the page.
 const offline = '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE localhost, EXCLUDE 127.0.0.1'
 
@@ -37,11 +44,12 @@ const installed: Candidate = {
 const candidates = process.platform === 'linux' ? [packaged, installed] : [installed]
 
 /** Starts the first candidate that can; throws an error that says what was tried and what to install. */
-export async function launchBrowser(from: Candidate[] = candidates): Promise<BrowserServer> {
+export async function launchBrowser(from: Candidate[] = candidates): Promise<Started> {
   const failures: string[] = []
-  for (const { name, launch } of from) {
+  for (const candidate of from) {
+    const { name, launch } = candidate
     try {
-      return await launch()
+      return { server: await launch(), packaged: candidate === packaged }
     } catch (error) {
       failures.push(`- ${name}: ${reason(error)}`)
     }
@@ -96,10 +104,11 @@ function unpack(): string {
     if (status !== 0) {
       throw new Error(`it did not unpack: ${/\w*Error: .*/.exec(stderr)?.[0] ?? stderr}`)
     }
-    // The package's own file looks for fonts in /tmp/fonts.
+    // The package's own file looks for fonts in /tmp/fonts. A relative cache would lie wherever the tests are started.
+    const fonts = join(folder, 'fonts')
     writeFileSync(
       join(partial, 'fonts', 'fonts.conf'),
-      '<fontconfig><dir prefix="relative">.</dir><cachedir prefix="relative">cache</cachedir></fontconfig>',
+      `<fontconfig><dir>${fonts}</dir><cachedir>${join(fonts, 'cache')}</cachedir></fontconfig>`,
     )
     if (!existsSync(folder)) renameSync(partial, folder)
   } finally {

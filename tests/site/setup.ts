@@ -13,6 +13,8 @@ declare module 'vitest' {
     address: string
     /** Where the browser listens for tests. */
     browser: string
+    /** It is the one that npm brings along. */
+    packaged: boolean
   }
 }
 
@@ -28,7 +30,7 @@ export default async function setup(project: TestProject): Promise<() => Promise
   // What a setup that failed leaves open would keep Vitest from ending.
   try {
     build(outDir)
-    const browser = await launchBrowser()
+    const { server: browser, packaged } = await launchBrowser()
     undo.push(() => browser.close())
     const server = await preview({
       root,
@@ -39,6 +41,7 @@ export default async function setup(project: TestProject): Promise<() => Promise
     undo.push(() => server.close())
     project.provide('address', server.resolvedUrls!.local[0]!)
     project.provide('browser', browser.wsEndpoint())
+    project.provide('packaged', packaged)
   } catch (error) {
     await teardown()
     throw error

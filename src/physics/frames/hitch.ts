@@ -33,9 +33,17 @@ export const hitch = {
   about:
     'Steady frames with one long one at regular intervals: a level loads, memory is collected.',
   options,
-  rate: ({ fps, every, length }: Values<typeof options>) => {
-    const period = every * Math.ceil(length / every)
-    return ((period - length) * fps + 1) / period
+  frames: ({ fps, every, length }: Values<typeof options>, duration: number) => {
+    const rate = (plain: number) => (plain + 1) / (length + plain / fps)
+    const rest = every * Math.ceil(length / every) - length
+    // Where hardly a frame fits between a hitch and the next that is due, some hitches miss their turn, and anything from
+    // the fewest to the most plain frames lies between two.
+    const most =
+      rest * fps < 1
+        ? Math.max(rate(length < every ? 1 : 0), rate(every * fps + 1))
+        : rate(rest * fps)
+    // A run begins with plain frames: it is ahead of its rate by those of one hitch at the most, and by one.
+    return most * duration + fps * length + 1
   },
   start: (chosen: Values<typeof options>): Frames => new HitchFrames(chosen),
 } as const satisfies FrameClock

@@ -22,7 +22,7 @@ export const jitter = {
   label: 'Jitter',
   about: 'Each frame is longer or shorter by chance, anywhere within (1 ± amount)/fps.',
   options,
-  rate: ({ fps }: Values<typeof options>) => fps,
+  frames: ({ fps }: Values<typeof options>, duration: number) => fps * duration,
   start: (chosen: Values<typeof options>): Frames => new JitterFrames(chosen),
 } as const satisfies FrameClock
 

@@ -12,7 +12,7 @@ export const missedVsync = {
   about:
     'The display refreshes steadily; a frame that is not ready waits for the next refresh, so it lasts one or two, by chance.',
   options,
-  rate: ({ fps }: Values<typeof options>) => fps / 1.5,
+  frames: ({ fps }: Values<typeof options>, duration: number) => (fps / 1.5) * duration,
   start: (chosen: Values<typeof options>): Frames => new MissedVsyncFrames(chosen),
 } as const satisfies FrameClock
 

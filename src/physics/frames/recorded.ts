@@ -20,7 +20,9 @@ export const recorded = {
   label: 'Recorded',
   about: 'Frame times that were measured on a real machine, repeated when they run out.',
   options,
-  rate: ({ durations }: Values<typeof options>) => durations.length / total(durations),
+  // Whatever round is cut short may have its shortest frames first.
+  frames: ({ durations }: Values<typeof options>, duration: number) =>
+    (duration / total(durations) + 1) * durations.length,
   start: ({ durations }: Values<typeof options>): Frames => new RecordedFrames(durations),
 } as const satisfies FrameClock
 

@@ -10,7 +10,7 @@ export const steady = {
   label: 'Steady',
   about: 'Every frame lasts exactly as long as the last: the frames of a textbook.',
   options,
-  rate: ({ fps }: Values<typeof options>) => fps,
+  frames: ({ fps }: Values<typeof options>, duration: number) => fps * duration,
   start: ({ fps }: Values<typeof options>): Frames => new SteadyFrames(fps),
 } as const satisfies FrameClock
 

@@ -16,7 +16,7 @@ export const implicitMidpoint = {
   orderWithSpeed: 2,
   stability: Infinity,
   symplectic: true,
-  evaluations: { least: 2, most: MOST_ITERATIONS },
+  evaluations: { least: 1, most: MOST_ITERATIONS },
   colour: 6,
   // #region step
   step(motion: Motion): void {
@@ -38,7 +38,8 @@ export const implicitMidpoint = {
       motion.v = guess
       motion.accelerate()
       const next = v - guess + half * motion.a
-      change = next === miss ? 0 : (change * next) / (miss - next)
+      // The quotient first: the product of two small numbers may underflow, and look as if solved.
+      change = next === miss ? 0 : change * (next / (miss - next))
       miss = next
       iterations++
     }

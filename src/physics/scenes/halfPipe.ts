@@ -45,7 +45,7 @@ export const halfPipe = {
       ? undefined
       : {
           parameter: 'position',
-          problem: `is not inside the pipe, whose radius of ${radius} m puts its lips at ±${lip(radius)} m`,
+          problem: `is not inside the pipe, whose radius of ${radius} m puts its lips at ±${Number(lip(radius).toPrecision(5))} m`,
         },
   law: ({ radius, gravity, mass, muStatic, muKinetic }: HalfPipeParameters): Law => {
     const direction = new SinCos()

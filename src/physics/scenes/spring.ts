@@ -55,8 +55,8 @@ export const spring = {
         motion.press = press
       },
       // #endregion
-      // A million times the energy it can have.
-      speedLimit: stiffness > 0 ? 1000 * fastest(parameters) : law.speedLimit,
+      // At least a million times the energy it can have.
+      speedLimit: perMass > 0 ? 1000 * fastest(parameters) : law.speedLimit,
     }
   },
   place: ({ angle }: SpringParameters, s: number) => placeOn([straight(angle)], s),
@@ -65,9 +65,13 @@ export const spring = {
   exact: exactSpring,
 } as const satisfies Scene
 
-/** The speed that the block can't exceed: all its energy, seen from the point of balance, as motion [m/s]. */
+/**
+ * A speed that the block can't exceed [m/s]: that of its swing from where it begins about the point of balance, and its
+ * own. The parts are added as if they never cancelled or squared, so that no rounding and no underflow makes it too
+ * small for the motion.
+ */
 function fastest({ angle, stiffness, gravity, mass, position, speed }: SpringParameters): number {
   const omega = Math.sqrt(stiffness / mass)
-  const fromBalance = omega * position - (gravity * sinCosDegrees(angle).sin) / omega
-  return Math.sqrt(fromBalance * fromBalance + speed * speed)
+  const balance = (gravity * sinCosDegrees(angle).sin) / omega
+  return Math.abs(omega * position) + balance + Math.abs(speed)
 }

@@ -6,7 +6,7 @@ import { locate } from './locate.ts'
 import { setsOff } from './staticFriction.ts'
 
 // Stops and joints inside one step. A real motion has a handful; a run that asks for more has lost its way.
-const MOST_EVENTS = 1000
+const MOST_EVENTS = 100
 
 /** Steps exactly up to the instant at which the law jumps, decides there, and goes on with the rest of the step. */
 export const located = {
@@ -35,6 +35,11 @@ export const located = {
 /** Moves on by `motion.dt`, or only to the first jump of the law. */
 function advanceToJump(motion: Motion, integrator: Integrator): void {
   const { slip } = motion
+  // A step that ended at a joint to the bit left the block on the piece behind it.
+  if ((slip > 0 ? motion.s >= motion.to : motion.s <= motion.from) && !motion.enterPiece()) {
+    motion.end('left-the-track')
+    return
+  }
   motion.begin()
   integrator.step(motion)
   let turned = motion.turnMatters && (slip > 0 ? motion.v < 0 : motion.v > 0)

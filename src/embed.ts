@@ -1,0 +1,2 @@
+/* The page for frames of other pages: one lab, without the rest of the page around it. */
+import './figure/define.ts'

@@ -1,0 +1,120 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit'
+import type { Trajectory } from '../physics/index.ts'
+import { rowAt } from '../view/timeline.ts'
+
+/** What playback moves through. */
+interface Recording extends ReactiveControllerHost, HTMLElement {
+  readonly duration: number
+  /** Of the visible runners. */
+  readonly recorded: readonly Trajectory[]
+}
+
+/** A tab that was away, or a browser that was busy, does not make the block leap. */
+const LONGEST_FRAME = 0.1
+
+/** A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. */
+export class Playback implements ReactiveController {
+  playing = false
+  /** Recorded seconds in a second. */
+  speed = 1
+  private cursor = Infinity
+  private seen = false
+  private request = 0
+  private before = 0
+  private readonly host: Recording
+  private readonly watcher = new IntersectionObserver(([entry]) => {
+    this.seen = entry!.isIntersecting
+    this.schedule()
+  })
+
+  constructor(host: Recording) {
+    this.host = host
+    host.addController(this)
+  }
+
+  hostConnected(): void {
+    this.watcher.observe(this.host)
+  }
+
+  hostDisconnected(): void {
+    this.watcher.disconnect()
+    this.seen = false
+    this.schedule()
+  }
+
+  /** The instant shown [s]. A cursor that was put at the end stays there when the run gets longer. */
+  get time(): number {
+    return Math.min(this.cursor, this.host.duration)
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause()
+    else this.play()
+  }
+
+  /** Plays on from here, or from the start if this is the end. */
+  play(): void {
+    if (this.time >= this.host.duration) this.cursor = 0
+    this.playing = true
+    this.schedule()
+    this.host.requestUpdate()
+  }
+
+  pause(): void {
+    this.playing = false
+    this.schedule()
+    this.host.requestUpdate()
+  }
+
+  /** Goes to an instant [s] and stays there. */
+  seek(time: number): void {
+    this.cursor = time >= this.host.duration ? Infinity : Math.max(0, time)
+    this.pause()
+  }
+
+  toStart(): void {
+    this.seek(0)
+  }
+
+  toEnd(): void {
+    this.seek(Infinity)
+  }
+
+  /** Goes that many frames on, or back if negative: to where the next of any runner's frames is. */
+  stepFrames(count: number): void {
+    let { time } = this
+    for (let i = 0; i < Math.abs(count); i++) time = this.frameBeside(time, count > 0)
+    this.seek(time)
+  }
+
+  private frameBeside(time: number, later: boolean): number {
+    let nearest = later ? this.host.duration : 0
+    for (const trajectory of this.host.recorded) {
+      const frames = trajectory.time
+      const row = rowAt(trajectory, time)
+      if (later) nearest = Math.min(nearest, frames[row + 1] ?? nearest)
+      else nearest = Math.max(nearest, frames[frames[row]! < time ? row : row - 1] ?? nearest)
+    }
+    return nearest
+  }
+
+  private schedule(): void {
+    const wanted = this.playing && this.seen
+    if (wanted && this.request === 0) {
+      this.before = NaN
+      this.request = requestAnimationFrame(this.tick)
+    } else if (!wanted && this.request !== 0) {
+      cancelAnimationFrame(this.request)
+      this.request = 0
+    }
+  }
+
+  private readonly tick = (now: number): void => {
+    const passed = Math.min(LONGEST_FRAME, (now - this.before) / 1000 || 0)
+    this.before = now
+    this.request = requestAnimationFrame(this.tick)
+    this.cursor = this.time + this.speed * passed
+    if (this.cursor >= this.host.duration) this.toEnd()
+    else this.host.requestUpdate()
+  }
+}

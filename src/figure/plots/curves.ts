@@ -1,0 +1,72 @@
+import type { Simulated } from '../simulation.ts'
+import { axisOf, timeAxis } from './range.ts'
+import type { Axis } from './axis.ts'
+import type { PlotKind } from './kinds.ts'
+import { samplesOf } from './samples.ts'
+import { thinColumns, thinPath } from './thin.ts'
+
+/** The place in the list of curves that is the true motion's: after those of the eight looks. */
+export const EXACT = 8
+
+/** A curve as it is drawn: places on both axes, and the times they belong to [s]. */
+export interface Curve {
+  /** Of its runner, or EXACT. */
+  readonly look: number
+  readonly index: number
+  readonly x: readonly number[]
+  readonly y: readonly number[]
+  readonly time: readonly number[]
+}
+
+/** All that a plot draws. */
+export interface Drawing {
+  readonly across: Axis
+  readonly up: Axis
+  readonly curves: readonly Curve[]
+  /** What a frame shows stays until the next: curves over time go in steps. */
+  readonly stepped: boolean
+}
+
+/**
+ * What a plot of so many pixels draws of a simulation: every visible runner's values at its own frames, as many of them
+ * as the pixels can show, and the true motion.
+ */
+export function drawingOf(
+  kind: PlotKind,
+  simulated: Simulated,
+  width: number,
+  height: number,
+): Drawing {
+  const { exact, visible, runners, state } = simulated
+  const { over, of } = kind
+  const across = over ? axisOf(over, simulated) : timeAxis(simulated)
+  const up = axisOf(of, simulated)
+  const column = (across.to - across.from) / width
+  const curves: Curve[] = visible.map((runner) => {
+    const { trajectory } = runner
+    const x = over ? over.values(trajectory) : trajectory.time
+    const y = of.values(trajectory)
+    const rows = over
+      ? thinPath(x, y, column, (up.to - up.from) / height)
+      : thinColumns(x, y, column)
+    return {
+      look: runner.state.look,
+      index: runners.indexOf(runner),
+      x: rows.map((row) => across.at(x[row]!)),
+      y: rows.map((row) => up.at(y[row]!)),
+      time: rows.map((row) => trajectory.time[row]!),
+    }
+  })
+  const { ofExact } = of
+  if (ofExact) {
+    const { time, states } = samplesOf(exact, state.duration)
+    curves.push({
+      look: EXACT,
+      index: -1,
+      x: over ? states.map((each) => over.ofExact!(each)) : [...time],
+      y: states.map((each) => ofExact(each)),
+      time: [...time],
+    })
+  }
+  return { across, up, curves, stepped: !over }
+}

@@ -1,0 +1,234 @@
+import { html, LitElement, nothing } from 'lit'
+import { PaletteReader } from '../../view/palette.ts'
+import type { Palette } from '../../view/palette.ts'
+import type { Simulated } from '../simulation.ts'
+import { onThemeChange } from '../theme.ts'
+import type { Chart } from './chart.ts'
+import { drawCursor, timeAt } from './cursor.ts'
+import { drawingOf } from './curves.ts'
+import type { Drawing } from './curves.ts'
+import type { PlotKind } from './kinds.ts'
+import { loadChart } from './loadChart.ts'
+import { inFull, readingsAt, spoken } from './readings.ts'
+import { plotTable } from './plotTable.ts'
+import { plotValues } from './plotValues.ts'
+
+/** The time that readings have to stand still before they are told [ms]. */
+const PAUSE = 300
+
+/**
+ * One plot: a chart that is made when it comes near the window, the values at the cursor, and a table. Nothing is
+ * worked out while it can't be seen.
+ *
+ * - `kind`: which plot
+ * - `simulated`: what it shows
+ * - `time`: of the transport [s]; `hover`: of the pointer, over whichever plot it is
+ * - `selected`: the index of the runner that is drawn stronger
+ * - `seek`, `point`: called with the time that is clicked on, and pointed at
+ */
+export class LabPlot extends LitElement {
+  static override properties = {
+    kind: { attribute: false },
+    simulated: { attribute: false },
+    time: { attribute: false },
+    hover: { attribute: false },
+    selected: { attribute: false },
+    told: { state: true },
+    listed: { state: true },
+  }
+
+  declare kind: PlotKind
+  declare simulated: Simulated
+  declare time: number
+  declare hover: number | undefined
+  declare selected: number
+  /** Not reactive: fresh closures are no reason to draw again. */
+  declare seek: (time: number) => void
+  declare point: (time: number | undefined) => void
+  /** The readings in words, for those who moved the cursor from here. */
+  declare private told: string
+  declare private listed: boolean
+  private readonly colours = new PaletteReader(this)
+  /** Once it is loaded. */
+  private Chart: typeof Chart | undefined
+  private chart: Chart | undefined
+  private drawing: Drawing | undefined
+  private drawn: unknown[] = []
+  private area: HTMLElement | undefined
+  /** Of the area, kept so that no frame has to ask for the layout [px]. */
+  private width = 0
+  private height = 0
+  private readonly sizes = new ResizeObserver(([entry]) => {
+    this.width = entry!.contentRect.width
+    this.height = entry!.contentRect.height
+    this.requestUpdate()
+  })
+  private seen = false
+  private wanted = false
+  private palette: Palette | undefined
+  private timer: ReturnType<typeof setTimeout> | undefined
+  private stopWatching = () => {}
+
+  constructor() {
+    super()
+    this.told = ''
+    this.listed = false
+  }
+
+  override createRenderRoot(): this {
+    return this
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback()
+    const near = new IntersectionObserver(
+      ([entry]) => {
+        if (entry!.isIntersecting) void this.make()
+      },
+      { rootMargin: '100% 0px' },
+    )
+    const seen = new IntersectionObserver(([entry]) => {
+      this.seen = entry!.isIntersecting
+      if (this.seen) this.requestUpdate()
+    })
+    for (const observer of [near, seen]) observer.observe(this)
+    if (this.area) this.sizes.observe(this.area)
+    const redraw = () => {
+      this.drawn = []
+      this.requestUpdate()
+    }
+    const stopThemes = onThemeChange(redraw)
+    document.fonts.addEventListener('loadingdone', redraw)
+    this.stopWatching = () => {
+      for (const observer of [near, seen, this.sizes]) observer.disconnect()
+      stopThemes()
+      document.fonts.removeEventListener('loadingdone', redraw)
+    }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback()
+    this.stopWatching()
+    clearTimeout(this.timer)
+  }
+
+  override shouldUpdate(): boolean {
+    return this.seen || !this.hasUpdated || (this.Chart !== undefined && !this.chart)
+  }
+
+  override render() {
+    const { kind, simulated, hover, time } = this
+    const absent = kind.absent?.(simulated)
+    const readings = this.Chart && !absent ? readingsAt(kind, simulated, hover ?? time) : []
+    const { over, title } = kind
+    return html`<figure>
+      <figcaption>
+        <h3>${title}</h3>
+        <p>${kind.caption(simulated)}</p>
+      </figcaption>
+      <div
+        class="area"
+        role="group"
+        tabindex="0"
+        aria-label="${title}${over ? '' : ' over time'}. The arrow keys go from frame to frame."
+        @pointermove=${this.move}
+        @pointerleave=${() => this.point(undefined)}
+        @pointerdown=${this.press}
+      >
+        <div class="chart" ?hidden=${absent}></div>
+        <canvas ?hidden=${absent}></canvas>
+        ${absent ? html`<p class="absent">${absent}</p>` : nothing}
+      </div>
+      ${plotValues(kind, simulated, readings, this.writeOut)}
+      <output class="visually-hidden">${this.told}</output>
+      <details
+        @toggle=${(event: Event) => (this.listed = (event.target as HTMLDetailsElement).open)}
+      >
+        <summary>As a table<span class="visually-hidden">: ${title}</span></summary>
+        ${this.listed ? plotTable(kind, simulated) : nothing}
+      </details>
+    </figure>`
+  }
+
+  override firstUpdated(): void {
+    this.area = this.querySelector<HTMLElement>('.area')!
+    this.sizes.observe(this.area)
+  }
+
+  override updated(changed: Map<PropertyKey, unknown>): void {
+    this.draw()
+    if (changed.has('time') && this.contains(document.activeElement)) this.tell()
+  }
+
+  /** Every digit, for the one who points at a value: to write all of them at every frame would cost too much. */
+  private readonly writeOut = (event: PointerEvent): void => {
+    const item = (event.target as Element).closest('li')
+    const { kind, simulated, time } = this
+    const reading =
+      item &&
+      !kind.absent?.(simulated) &&
+      readingsAt(kind, simulated, time)[Number(item.dataset.index)]
+    if (reading) item.title = inFull(kind, reading)
+  }
+
+  private async make(): Promise<void> {
+    if (this.wanted) return
+    this.wanted = true
+    this.Chart = await loadChart()
+    this.requestUpdate()
+  }
+
+  private draw(): void {
+    const { Chart, kind, simulated, selected, width, height } = this
+    if (!Chart || width === 0 || kind.absent?.(simulated)) return
+    const wanted = [simulated, selected, width, height]
+    if (wanted.every((each, i) => each === this.drawn[i])) return this.drawCursor()
+    this.drawn = wanted
+    this.drawing = drawingOf(kind, simulated, width, height)
+    this.palette = this.colours.read()
+    const look = { palette: this.palette, selected, width, height }
+    // The chart draws itself a moment later, and the cursor with it.
+    if (this.chart) this.chart.draw(this.drawing, look)
+    else {
+      const host = this.querySelector<HTMLElement>('.chart')!
+      this.chart = new Chart(host, this.drawing, look, () => this.drawCursor())
+    }
+  }
+
+  private drawCursor(): void {
+    const { chart, drawing, palette, kind, simulated, width, height, time, hover } = this
+    if (!chart || !drawing || !palette) return
+    const readings = readingsAt(kind, simulated, hover ?? time)
+    const pointed = { drawing, box: chart.box, width, height, time, hover, readings }
+    drawCursor(this.querySelector('.area > canvas')!, pointed, palette)
+  }
+
+  private tell(): void {
+    clearTimeout(this.timer)
+    this.timer = setTimeout(() => {
+      const { kind, simulated, time } = this
+      this.told = kind.absent?.(simulated) || spoken(kind, readingsAt(kind, simulated, time), time)
+    }, PAUSE)
+  }
+
+  private readonly press = (event: PointerEvent): void => {
+    const time = this.timeOf(event)
+    if (event.button !== 0 || time === undefined) return
+    ;(event.currentTarget as HTMLElement).setPointerCapture(event.pointerId)
+    this.seek(time)
+  }
+
+  private readonly move = (event: PointerEvent): void => {
+    const time = this.timeOf(event)
+    if (time === undefined) return
+    if (event.buttons & 1) this.seek(time)
+    this.point(event.pointerType === 'mouse' ? time : undefined)
+  }
+
+  private timeOf({ clientX, clientY, currentTarget }: PointerEvent): number | undefined {
+    const { chart, drawing } = this
+    if (!chart || !drawing) return undefined
+    const { left, top } = (currentTarget as HTMLElement).getBoundingClientRect()
+    return timeAt(drawing, chart.box, { x: clientX - left, y: clientY - top })
+  }
+}

@@ -1,0 +1,6 @@
+import { hardPresets } from './hardCases.ts'
+import { kicks } from './kicks.ts'
+import type { Preset } from './preset.ts'
+
+/** Every preset, in the order of the menu. */
+export const presets: readonly Preset[] = [...kicks, ...hardPresets]

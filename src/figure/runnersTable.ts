@@ -1,0 +1,64 @@
+import { html } from 'lit'
+import { repeat } from 'lit/directives/repeat.js'
+import { frameClocks, integrators, stoppings, timesteps } from '../physics/index.ts'
+import type { Described } from '../physics/index.ts'
+import { rowAt } from '../view/timeline.ts'
+import { MOST_RUNNERS } from './check.ts'
+import type { LabView } from './labView.ts'
+
+const headings = [
+  ...['Frame rate', 'Frames', 'Integrator', 'Stopping', 'Time step'],
+  ...['Error now', 'Error at the end', 'Stopped', 'Evaluations'],
+]
+
+/** A row for each runner, and what the choices of the selected one mean. */
+export function runnersTable(lab: LabView) {
+  const { runners } = lab.simulated
+  return html`<section class="runners">
+    <h2>Runners</h2>
+    <div class="runner headings" aria-hidden="true">
+      ${headings.map((heading) => html`<span>${heading}</span>`)}
+    </div>
+    ${repeat(
+      runners,
+      ({ state }) => state.look,
+      (runner, index) =>
+        html`<runner-row
+          .lab=${lab}
+          .runner=${runner}
+          .index=${index}
+          .count=${runners.length}
+          .row=${rowAt(runner.trajectory, lab.playback.time)}
+          .selected=${index === lab.selected}
+        ></runner-row>`,
+    )}
+    <button
+      type="button"
+      class="add"
+      ?disabled=${runners.length >= MOST_RUNNERS}
+      @click=${() => lab.change({ kind: 'add' })}
+    >
+      Add a runner
+    </button>
+    <record-frames .lab=${lab} .selected=${runners[lab.selected]?.name ?? ''}></record-frames>
+    ${notes(lab)}
+  </section>`
+}
+
+function notes({ simulated, selected }: LabView) {
+  const runner = simulated.runners[selected]
+  if (!runner) return ''
+  const { integrator, stopping, timestep, frames } = runner.state
+  return html`<dl class="notes" style="--colour: var(--runner-${runner.state.look})">
+    ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
+    ${note(frameClocks, frames.kind)}
+  </dl>`
+}
+
+function note(list: readonly Described[], chosen: string) {
+  const { label, about } = list.find(({ id }) => id === chosen)!
+  return html`<div>
+    <dt>${label}</dt>
+    <dd>${about}</dd>
+  </div>`
+}

@@ -1,0 +1,15 @@
+import { html } from 'lit'
+import { raw } from '../view/numbers.ts'
+import { lengthText } from './errorText.ts'
+import type { LabView } from './labView.ts'
+
+/** The number that it is all about: how far apart the frame rates end. */
+export function spreadFigure({ simulated: { spread } }: LabView) {
+  const [figure, remark] = lengthText(spread).split(/ (?=\()/)
+  return html`<p class="spread">
+    <span>frame-rate spread</span>
+    <output title="Largest − smallest final position: ${raw(spread)} m"
+      >${figure} ${remark ? html`<small>${remark}</small>` : ''}</output
+    >
+  </p>`
+}

@@ -1,0 +1,75 @@
+import { html } from 'lit'
+import { live } from 'lit/directives/live.js'
+import { fixed } from '../view/numbers.ts'
+import { icon } from './icons.ts'
+import type { IconName } from './icons.ts'
+import type { LabView } from './labView.ts'
+
+const speeds = [
+  [1, '1×'],
+  [1 / 2, '½×'],
+  [1 / 4, '¼×'],
+  [1 / 16, '¹⁄₁₆×'],
+] as const
+
+/** Playing, stepping, and the cursor on the time axis with every frame of every runner under it. */
+export function transport({ simulated, playback }: LabView) {
+  const { duration } = simulated.state
+  const { time, playing } = playback
+  return html`<div class="transport">
+    <div class="buttons">
+      ${button('start', 'To the start (Home)', () => playback.toStart())}
+      ${button('back', 'One frame back (←)', () => playback.stepFrames(-1))}
+      <button
+        type="button"
+        class="play"
+        title="${playing ? 'Pause' : 'Play'} (Space)"
+        aria-label=${playing ? 'Pause' : 'Play'}
+        @click=${() => playback.toggle()}
+      >
+        ${icon(playing ? 'pause' : 'play')}
+      </button>
+      ${button('on', 'One frame on (→)', () => playback.stepFrames(1))}
+      ${button('end', 'To the end (End)', () => playback.toEnd())}
+    </div>
+    <select
+      aria-label="Playing speed"
+      @change=${(event: Event) => {
+        playback.speed = speeds[(event.target as HTMLSelectElement).selectedIndex]![0]
+      }}
+    >
+      ${speeds.map(([, label]) => html`<option>${label}</option>`)}
+    </select>
+    <div class="axis">
+      <input
+        type="range"
+        aria-label="Time"
+        aria-valuetext="${clock(time, duration)} of ${clock(duration, duration)} seconds"
+        min="0"
+        max=${duration}
+        step="any"
+        style="--filled: ${duration > 0 ? time / duration : 1}"
+        .value=${live(String(time))}
+        @input=${(event: Event) => playback.seek((event.target as HTMLInputElement).valueAsNumber)}
+      />
+      <frame-strip .runners=${simulated.visible} .duration=${duration} .time=${time}></frame-strip>
+    </div>
+    <p class="clock"><span>${clock(time, duration)}</span> / ${clock(duration, duration)} s</p>
+  </div>`
+}
+
+function button(name: IconName, label: string, act: () => void) {
+  return html`<button
+    type="button"
+    title=${label}
+    aria-label=${label.replace(/ \(.*/, '')}
+    @click=${act}
+  >
+    ${icon(name)}
+  </button>`
+}
+
+/** A time with as many decimals as the length of the run makes worth reading. */
+function clock(time: number, duration: number): string {
+  return fixed(time, duration < 0.1 ? 4 : duration < 100 ? 2 : 0)
+}

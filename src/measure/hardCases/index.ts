@@ -1,0 +1,17 @@
+import { extremes } from './extremes.ts'
+import { frames } from './frames.ts'
+import { friction } from './friction.ts'
+import type { HardCase } from './hardCase.ts'
+import { jumps } from './jumps.ts'
+import { oscillations } from './oscillations.ts'
+
+/** Every hard case, in the order of their groups. */
+export const hardCases: readonly HardCase[] = [
+  ...friction,
+  ...frames,
+  ...oscillations,
+  ...extremes,
+  ...jumps,
+].sort((one, other) => one.group - other.group)
+
+export type { HardCase } from './hardCase.ts'

@@ -1,0 +1,112 @@
+import type { Actor } from './actors.ts'
+import { centre } from './body.ts'
+import type { Body } from './body.ts'
+import { around, moved } from './geometry.ts'
+import type { Box, Point } from './geometry.ts'
+import type { Layout } from './layout.ts'
+import type { ArrowId, Picture, PictureVector } from './picture.ts'
+
+/** An arrow as it is drawn, in CSS pixels. */
+export interface ForceArrow {
+  readonly id: ArrowId
+  readonly tag: string
+  readonly from: Point
+  readonly to: Point
+  /** The room of the letters at its tip. */
+  readonly box: Box
+  /** The room of the arrow itself, in pieces. */
+  readonly room: readonly Box[]
+  /** It is longer than it can be drawn: only its direction is true. */
+  readonly cut: boolean
+  /** The tips of its two parts, along the track and across it, where it has both. */
+  readonly parts: readonly Point[]
+}
+
+/** An arrow that is so much longer than the longest is cut. Only a run that blows up has any. */
+const MOST = 1.5
+/** Shorter ones can't be seen [px]. */
+const LEAST = 1.5
+
+/**
+ * Where each arrow begins, in halves of a block away from its middle along n̂: forces along the track would lie on
+ * each other otherwise. Friction acts where the block touches the track.
+ */
+const rails: Readonly<Record<ArrowId, number>> = {
+  gravity: 0,
+  normal: 0,
+  friction: -0.88,
+  other: 0.5,
+  sum: -0.4,
+  velocity: 1.45,
+}
+
+/** The arrows on a block, to one scale, their letters clear of each other and of the obstacles as far as possible. */
+export function forceArrows(
+  { forces, scene }: Picture,
+  { body, beyond }: Actor,
+  { force: longest }: Layout,
+  obstacles: readonly Box[],
+): ForceArrow[] {
+  if (!forces || beyond !== 0) return []
+  const taken = [...obstacles]
+  const arrows: ForceArrow[] = []
+  for (const vector of forces.vectors) {
+    const most = vector.id === 'velocity' ? forces.fastest : forces.largest
+    const scale = most > 0 ? longest / most : 0
+    const onCanvas = (point: Point, factor = scale): Point => ({
+      x: scene.facing * point.x * factor,
+      y: -point.y * factor,
+    })
+    const whole = onCanvas(vector)
+    const length = Math.hypot(whole.x, whole.y)
+    if (!(length >= LEAST)) continue
+    const cut = length > MOST * longest
+    const direction = { x: whole.x / length, y: whole.y / length }
+    const from = originOf(vector, body)
+    const to = moved(from, direction, cut ? MOST * longest : length)
+    const box = tagBox(to, direction, vector.tag, taken)
+    taken.push(box)
+    const tagged = { id: vector.id, tag: vector.tag }
+    const parts =
+      vector.id === 'gravity' && !cut
+        ? [forces.along, forces.across].map((unit) =>
+            moved(from, onCanvas(unit, 1), scale * (vector.x * unit.x + vector.y * unit.y)),
+          )
+        : []
+    const both = parts.every(({ x, y }) => Math.hypot(x - from.x, y - from.y) > LEAST)
+    const room = pieces(from, to)
+    arrows.push({ ...tagged, from, to, box, room, cut, parts: both ? parts : [] })
+  }
+  return arrows
+}
+
+function originOf({ id }: PictureVector, body: Body): Point {
+  return moved(centre(body), body.spot.out, (rails[id] * body.size) / 2)
+}
+
+/** Small boxes along a line. */
+function pieces(from: Point, to: Point): Box[] {
+  const count = Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / 10)
+  return Array.from({ length: count }, (_, i) => {
+    const part = (i + 0.5) / count
+    const x = from.x + (to.x - from.x) * part
+    return around({ x, y: from.y + (to.y - from.y) * part }, 4)
+  })
+}
+
+/** Before the tip, or beside it where that is taken. */
+function tagBox(tip: Point, direction: Point, tag: string, taken: readonly Box[]): Box {
+  const side = { x: -direction.y, y: direction.x }
+  const half = tag.length > 1 ? 11 : 7
+  const boxes = [
+    moved(tip, direction, 5 + half),
+    moved(moved(tip, direction, -4), side, 6 + half),
+    moved(moved(tip, direction, -4), side, -6 - half),
+    moved(tip, direction, 22 + half),
+  ].map((point) => around(point, half, 8))
+  return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0]!
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
+}

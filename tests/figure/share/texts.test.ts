@@ -1,0 +1,51 @@
+import { expect, test } from 'vitest'
+import { parseExperiment } from '../../../src/physics/index.ts'
+import { readAddress } from '../../../src/figure/address.ts'
+import { experimentOf } from '../../../src/figure/check.ts'
+import { opening } from '../../../src/figure/opening.ts'
+import { presets } from '../../../src/figure/presets/index.ts'
+import { embedCode, fileName, linkTo, toJson } from '../../../src/figure/share/texts.ts'
+import { changed } from '../../../src/figure/state.ts'
+
+const site = 'https://any.example/lab/index.html?from=here'
+const steep = changed(opening, { kind: 'parameters', values: { angle: 40, mass: 2 } })
+
+test('a link is the address of the page with the state behind it', () => {
+  expect(linkTo('', site, opening)).toBe(site)
+  expect(linkTo('', site, steep)).toBe(`${site}#angle=40&mass=2`)
+  expect(linkTo('embed.html', site, steep)).toBe(
+    'https://any.example/lab/embed.html#angle=40&mass=2',
+  )
+  for (const { shown } of presets)
+    expect(readAddress(new URL(linkTo('', site, shown.state)).hash.slice(1))).toEqual(shown.state)
+})
+
+test('the embed code is a sandboxed frame with a name', () => {
+  const code = embedCode(site, steep)
+  expect(code).toMatch(/^<iframe src="[^"]*" title="[^"]*" [^<>]*><\/iframe>$/)
+  expect(code).toContain('src="https://any.example/lab/embed.html#angle=40&amp;mass=2"')
+  expect(code).toContain('title="Any Frame Rate: ramp, 10 fps, 30 fps, 120 fps"')
+  expect(code).toContain('width="100%"')
+  expect(code).toContain('loading="lazy"')
+  expect(code).toMatch(/sandbox="allow-scripts[ "]/)
+  expect(code).not.toContain('allow-same-origin')
+})
+
+test('JSON is a list of experiments that are read back, or the one there is', () => {
+  for (const { shown } of presets) {
+    const { state } = shown
+    const read: unknown = JSON.parse(toJson(state))
+    const experiments = Array.isArray(read) ? read : [read]
+    expect(Array.isArray(read)).toBe(state.runners.length > 1)
+    expect(experiments.map(parseExperiment)).toEqual(
+      state.runners.map((runner) => parseExperiment(experimentOf(state, runner))),
+    )
+  }
+})
+
+test('a file’s name says what is in it, in letters for every system', () => {
+  expect(fileName(opening, 'png')).toBe('any-frame-rate-ramp.png')
+  expect(fileName(steep, 'csv')).toBe('any-frame-rate-ramp-angle-40-mass-2.csv')
+  for (const { shown } of presets)
+    expect(fileName(shown.state, 'png')).toMatch(/^any-frame-rate-[a-z][\w.-]{1,70}[\w]\.png$/)
+})

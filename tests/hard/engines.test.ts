@@ -1,0 +1,153 @@
+/**
+ * The same bits on every engine: one hash, committed. `npm test` runs Node and QuickJS, and Chromium in tests/site;
+ * `npm run test:engines` every engine that is installed, and says how to get the others.
+ */
+import { execFileSync } from 'node:child_process'
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import variant from '@jitl/quickjs-wasmfile-release-sync'
+import { firefox, webkit } from 'playwright-core'
+import { newQuickJSWASMModuleFromVariant } from 'quickjs-emscripten-core'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { fingerprint, fingerprintExperiments } from '../../src/measure/index.ts'
+import {
+  frameClocks,
+  integrators,
+  scenes,
+  simulate,
+  stoppings,
+  timesteps,
+} from '../../src/physics/index.ts'
+import { fingerprintScript } from './bundle.ts'
+import committed from './fingerprint.json'
+
+// npm tells a script its name.
+const runsAll = process.env.npm_lifecycle_event === 'test:engines'
+
+let bundle: { script: string; expression: string }
+
+beforeAll(async () => {
+  bundle = await fingerprintScript()
+})
+
+describe('the fingerprint', () => {
+  it('is of every scene, method and rule, with every policy and clock in pairs', () => {
+    const experiments = fingerprintExperiments()
+    const combinations = (key: (each: (typeof experiments)[number]) => string) =>
+      new Set(experiments.map(key)).size
+    expect(
+      combinations(({ scene, integrator, stopping }) => `${scene} ${integrator} ${stopping}`),
+    ).toBe(scenes.length * integrators.length * stoppings.length)
+    expect(combinations(({ timestep, frames }) => `${timestep!.kind} ${frames!.kind}`)).toBe(
+      timesteps.length * frameClocks.length,
+    )
+    expect(experiments.length).toBeGreaterThanOrEqual(200)
+  })
+
+  it('is of runs that stop, go on, leave the track and diverge', () => {
+    const outcomes = fingerprintExperiments().map((each) => simulate(each).outcome.kind)
+    expect(new Set(outcomes).size).toBe(4)
+  })
+
+  it('is FNV-1a of all their bytes', () => {
+    let hash = 0xcbf29ce484222325n
+    const view = new DataView(new ArrayBuffer(8))
+    const add = (value: number) => {
+      view.setFloat64(0, value, true)
+      for (let i = 0; i < 8; i++)
+        hash = BigInt.asUintN(64, (hash ^ BigInt(view.getUint8(i))) * 0x100000001b3n)
+    }
+    for (const experiment of fingerprintExperiments()) {
+      const run = simulate(experiment)
+      for (const name of ['time', 'stateTime', 's', 'v', 'drawnS', 'heat'] as const)
+        run[name].forEach(add)
+      for (const name of ['frames', 'steps', 'evaluations', 'unsolved', 'lostTime'] as const)
+        add(run[name])
+      add(run.outcome.time)
+    }
+    expect(fingerprint().hash).toBe(hash.toString(16).padStart(16, '0'))
+  })
+})
+
+describe('the same bits in', () => {
+  // Whoever means to change what the physics computes copies the new hash into fingerprint.json, and says why.
+  it('Node', () => {
+    expect(fingerprint()).toEqual(committed)
+  })
+
+  it('QuickJS', async () => {
+    const { script, expression } = bundle
+    const quickJS = await newQuickJSWASMModuleFromVariant(variant)
+    expect(JSON.parse(quickJS.evalCode(`${script}\n${expression}`) as string)).toEqual(committed)
+  })
+})
+
+describe.runIf(runsAll)('every engine that is installed: the same bits in', () => {
+  const report: string[] = []
+  afterAll(() => {
+    console.log(report.join('\n'))
+  })
+
+  const shells = [
+    {
+      name: 'SpiderMonkey (gjs)',
+      commands: ['gjs'],
+      version: '--version',
+      install: 'apt-get install gjs',
+    },
+    {
+      name: 'JavaScriptCore (jsc)',
+      commands: [
+        'jsc',
+        '/System/Library/Frameworks/JavaScriptCore.framework/Versions/Current/Helpers/jsc',
+      ],
+      version: undefined,
+      install: 'apt-get install libjavascriptcoregtk-4.0-bin; part of macOS',
+    },
+  ]
+
+  it.for(shells)('$name', ({ name, commands, version, install }, { skip }) => {
+    const command = commands.find(isInstalled)
+    if (!command) {
+      report.push(`${name}: not installed. ${install}`)
+      skip(`not installed: ${install}`)
+    }
+    const folder = mkdtempSync(join(tmpdir(), 'fingerprint-'))
+    const file = join(folder, 'fingerprint.js')
+    try {
+      writeFileSync(file, `${bundle.script}\nprint(${bundle.expression})\n`)
+      const printed = execFileSync(command!, [file], { encoding: 'utf8' })
+      expect(JSON.parse(printed)).toEqual(committed)
+    } finally {
+      rmSync(folder, { recursive: true })
+    }
+    const which = version ? execFileSync(command!, [version], { encoding: 'utf8' }).trim() : command
+    report.push(`${name}: the same bits (${which})`)
+  })
+
+  it.for([
+    { name: 'Firefox', type: firefox, install: 'npx playwright-core install --with-deps firefox' },
+    { name: 'WebKit', type: webkit, install: 'npx playwright-core install --with-deps webkit' },
+  ])('$name', async ({ name, type, install }, { skip }) => {
+    if (!existsSync(type.executablePath())) {
+      report.push(`${name}: not installed. ${install}`)
+      skip(`not installed: ${install}`)
+    }
+    const browser = await type.launch()
+    try {
+      const page = await browser.newPage()
+      const printed = await page.evaluate<string>(`${bundle.script}\n${bundle.expression}`)
+      expect(JSON.parse(printed)).toEqual(committed)
+      report.push(`${name}: the same bits (${browser.version()})`)
+    } finally {
+      await browser.close()
+    }
+  })
+})
+
+function isInstalled(command: string): boolean {
+  if (command.includes('/')) return existsSync(command)
+  const folders = (process.env.PATH ?? '').split(process.platform === 'win32' ? ';' : ':')
+  return folders.some((folder) => existsSync(join(folder, command)))
+}

@@ -1,0 +1,170 @@
+import { describe, expect, it } from 'vitest'
+import {
+  createRun,
+  integrators,
+  parseExperiment,
+  scenes,
+  simulate,
+  stoppings,
+} from '../../src/physics/index.ts'
+import type { Experiment, Scene } from '../../src/physics/index.ts'
+import { hardCase, having, largestError, last, methods, secondOrder } from './support.ts'
+
+const ids = integrators.map(({ id }) => id)
+const sizes = [5e-324, 1e-310, 2.2250738585072014e-308, 1e-200, 1e-154, 1e-16, 1e6, 1e9]
+
+describe('13 denormal and huge speeds and positions', () => {
+  it.each(ids)('%s gives numbers in every scene, with every rule', (integrator) => {
+    for (const scene of scenes as readonly Scene[])
+      for (const { id: stopping } of stoppings)
+        for (const name of ['speed', 'position'])
+          for (const size of sizes)
+            for (const value of [size, -size]) {
+              const parameters = { [name]: value }
+              const start = Object.fromEntries(
+                Object.entries(scene.parameters).map(([key, { initial }]) => [key, initial]),
+              )
+              if (scene.conflict?.({ ...start, ...parameters })) continue
+              const experiment = {
+                scene: scene.id,
+                parameters,
+                integrator,
+                stopping,
+                duration: 0.5,
+              }
+              const run = simulate(experiment as Experiment)
+              for (const column of [run.s, run.v, run.drawnS, run.heat])
+                expect(column.every(Number.isFinite), JSON.stringify(experiment)).toBe(true)
+              expect(run.outcome.kind === 'diverged' ? 'spring run-out' : scene.id).toContain(
+                scene.id,
+              )
+            }
+  })
+
+  const [kicked, denormal, tiny] = hardCase('smallest-numbers').experiments as [
+    Experiment,
+    Experiment,
+    Experiment,
+  ]
+
+  it.each(ids)('%s: the smallest kick there is stops at once, where it was', (integrator) => {
+    const run = simulate({ ...kicked, integrator })
+    expect(run.outcome.kind).toBe('at-rest')
+    // The instant of a stop is known to a rounding of the frame, and the place to what a does in that time.
+    const instant = Number.EPSILON / 60
+    expect(run.outcome.time).toBeLessThanOrEqual(instant)
+    expect(Math.abs(last(run.s))).toBeLessThanOrEqual(10 * instant * instant)
+    expect(last(run.heat)).toBeLessThanOrEqual(10 * 10 * instant * instant)
+  })
+
+  it.each(ids)('%s: a swing of 1e-310 m is one of 1e-200 m, made smaller', (integrator) => {
+    const small = simulate({ ...denormal, integrator })
+    const large = simulate({ ...tiny, integrator })
+    expect(small.frames).toBe(large.frames)
+    // sin x = x there, so that all is linear, and a step rounds to 5e-324 some ten times; explicit Euler lets what it
+    // has rounded grow by 1 + (ωΔt)² a step, to three times as much.
+    const rounding = 600 * 10 * 5e-324 * 3
+    for (let row = 0; row <= small.frames; row++)
+      expect(Math.abs(small.s[row]! - large.s[row]! * 1e-110)).toBeLessThanOrEqual(rounding)
+  })
+
+  it.each([1, 1e-154, 1e-190, 1e-250])(
+    'a spring whose forces are of size %f is as stable',
+    (size) => {
+      // At ωΔt = 7, which implicit midpoint can bear, at any scale: all is linear. Twenty swings grow in nothing.
+      const spring: Experiment = {
+        scene: 'spring',
+        parameters: { angle: 0, stiffness: 49, muStatic: 0, muKinetic: 0, position: size },
+        integrator: 'implicit-midpoint',
+        frames: { kind: 'steady', fps: 1 },
+        duration: 60,
+      }
+      const run = simulate(spring)
+      expect(run.outcome.kind).toBe('moving')
+      expect(run.unsolved).toBe(0)
+      expect(Math.max(...run.s.map(Math.abs))).toBeLessThanOrEqual(
+        size * (1 + 60 * 16 * Number.EPSILON),
+      )
+    },
+  )
+
+  it.each([
+    { stiffness: 3e-323, mass: 6e4, gravity: 0 },
+    { stiffness: 1, mass: 0.01, gravity: 1e-250, position: 0 },
+    { stiffness: 40, mass: 1, gravity: 9.81, position: 0.122625 },
+  ])('a spring with next to no force or energy has not diverged: %o', (parameters) => {
+    // No stiffness to speak of, no speed whose square is a number, and a start at the very point of balance.
+    const spring: Experiment = {
+      scene: 'spring',
+      parameters: { muKinetic: 0, muStatic: 0, ...parameters },
+    }
+    for (const { id } of methods.filter(({ stability }) => stability > 0))
+      for (const speed of [0, 1e-200, 4])
+        expect(simulate({ ...having(spring, { speed }), integrator: id }).outcome.kind).not.toBe(
+          'diverged',
+        )
+  })
+
+  it.each(secondOrder)('$id: at 1e9 m and 1e9 m/s it is off by ulps', ({ id }) => {
+    for (const experiment of hardCase('largest-numbers').experiments) {
+      const run = simulate({ ...experiment, integrator: id })
+      expect(run.frames).toBe(120)
+      // An ulp of up to 2e9 m, 2⁻²¹ m, for each of a step's few sums.
+      expect(largestError(run)).toBeLessThanOrEqual(120 * 2 ** -21)
+    }
+  })
+})
+
+describe('16 zero gravity, zero mass, zero duration', () => {
+  it.each(ids)('%s: without gravity a straight changes no speed', (integrator) => {
+    const [still, moving] = hardCase('zero-gravity').experiments as [Experiment, Experiment]
+    for (const { id: stopping } of stoppings) {
+      expect(simulate({ ...still, integrator, stopping }).s.every((s) => s === 0)).toBe(true)
+      for (const scene of ['fall', 'ramp'] as const) {
+        const run = simulate({ ...moving, scene, integrator, stopping })
+        expect(run.outcome.kind).toBe('moving')
+        expect(run.v.every((v) => v === 2)).toBe(true)
+        expect(last(run.heat)).toBe(0)
+        expect(Math.abs(last(run.s) - 4)).toBeLessThanOrEqual(120 * 4 * Number.EPSILON)
+      }
+    }
+  })
+
+  it('without gravity or mass to speak of, every scene still gives numbers', () => {
+    for (const scene of scenes as readonly Scene[])
+      for (const integrator of ids)
+        for (const parameters of [
+          { gravity: 0 },
+          { mass: 1e-9 },
+          { gravity: 0, mass: 1e9, speed: 1 },
+        ]) {
+          const run = simulate({ scene: scene.id, parameters, integrator } as Experiment)
+          expect(run.s.every(Number.isFinite)).toBe(true)
+        }
+  })
+
+  it('no mass is refused, with its range', () => {
+    const { experiments, refused } = hardCase('zero-mass')
+    expect(refused).toBe(true)
+    expect(() => parseExperiment(experiments[0])).toThrow(
+      /^parameters.mass: 0 is not in 1e-9…1000000000$/,
+    )
+  })
+
+  it('no duration is the start and nothing else', () => {
+    const [experiment] = hardCase('zero-duration').experiments as [Experiment]
+    for (const scene of scenes)
+      for (const { id: integrator } of integrators) {
+        const run = simulate({ ...experiment, scene: scene.id, integrator })
+        expect([run.frames, run.steps, run.evaluations, run.lostTime]).toEqual([0, 0, 0, 0])
+        expect([...run.time]).toEqual([0])
+        expect(run.outcome).toEqual({ kind: 'moving', time: 0 })
+      }
+  })
+
+  it('a frame of no length changes nothing', () => {
+    const run = createRun({ scene: 'ramp', parameters: { speed: 1 } })
+    for (let i = 0; i < 10; i++) run.frame(0)
+    expect([run.motion.s, run.motion.v, run.time, run.stateTime]).toEqual([0, 1, 0, 0])
+  })
+})

@@ -1,0 +1,66 @@
+import { AxeBuilder } from '@axe-core/playwright'
+import { expect, test } from 'vitest'
+import { openPage } from './page.ts'
+
+test('the figure is there, and nothing else', async () => {
+  const { page, problems } = await openPage({ path: 'embed.html#angle=20' })
+  for (const name of ['Play', 'Clamped', 'Located'])
+    expect(await page.getByRole('button', { name }).isVisible()).toBe(true)
+  expect(await page.locator('.spread output').innerText()).toMatch(/^0\.\d\d\u2009m$/)
+  expect(await page.getByRole('img').getAttribute('aria-label')).toContain('10 fps')
+  for (const other of ['header', 'footer', 'runner-row', '.parameters', '.scenes', '.tools'])
+    expect(await page.locator(other).count(), other).toBe(0)
+  expect(problems).toEqual([])
+})
+
+test('its address is that of the lab, and follows it', async () => {
+  const { page } = await openPage({ path: 'embed.html#angle=20' })
+  await page.getByRole('slider', { name: 'Tilt the track' }).press('ArrowUp')
+  const link = page.getByRole('link', { name: 'Open in the lab' })
+  expect(await link.getAttribute('href')).toMatch(
+    /\/index\.html#angle=20\.\d+$|\/index\.html#angle=21$/,
+  )
+  const [opened] = await Promise.all([page.waitForEvent('popup'), link.click()])
+  await opened.locator('runner-row').first().waitFor()
+  expect(opened.url()).toBe(await link.evaluate((element) => (element as HTMLAnchorElement).href))
+  await expect.poll(() => page.evaluate(() => location.hash)).toBe(new URL(opened.url()).hash)
+})
+
+test('a bad address says what is wrong with it, above a figure that works', async () => {
+  const { page } = await openPage({ path: 'embed.html#angle=200' })
+  expect(await page.getByRole('alert').innerText()).toContain('200 is not in 0…90')
+  expect(await page.locator('.spread output').innerText()).toBe('0.23\u2009m')
+})
+
+test('there is no script or style in the page itself, and the page around it shows through', async () => {
+  const { page } = await openPage({ path: 'embed.html' })
+  const html = await page.evaluate(async () => (await fetch(location.href)).text())
+  expect(html).not.toMatch(/<style|<script(?![^>]*\bsrc=)|\son\w+=|\sstyle=/)
+  const background = () => getComputedStyle(document.documentElement).backgroundColor
+  expect(await page.evaluate(background)).toBe('rgba(0, 0, 0, 0)')
+  expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(
+    'rgba(0, 0, 0, 0)',
+  )
+})
+
+test.each([
+  [320, 640, 'light'],
+  [390, 700, 'dark'],
+  [720, 640, 'light'],
+  [1200, 640, 'dark'],
+] as const)(
+  '%d by %d, %s: nothing is cut off, and axe finds nothing',
+  async (width, height, colorScheme) => {
+    const { page } = await openPage({ path: 'embed.html', width, height, colorScheme })
+    const { scrollWidth, scrollHeight } = await page.evaluate(() => {
+      const { scrollWidth, scrollHeight } = document.documentElement
+      return { scrollWidth, scrollHeight }
+    })
+    expect(scrollWidth).toBe(width)
+    // The height that the embed code asks for is enough but on phones.
+    if (width >= 700) expect(scrollHeight).toBe(height)
+    expect((await page.locator('slide-stage').boundingBox())!.height).toBeGreaterThan(230)
+    const { violations } = await new AxeBuilder({ page }).analyze()
+    expect(violations.map(({ id, nodes }) => [id, ...nodes.map((node) => node.html)])).toEqual([])
+  },
+)

@@ -1,0 +1,128 @@
+import { AxeBuilder } from '@axe-core/playwright'
+import type { Page } from 'playwright-core'
+import { describe, expect, test } from 'vitest'
+import { openLab } from './labPage.ts'
+
+test('the lab opens on a picture that is already wrong, without a problem', async () => {
+  const { page, problems, spread, runner, time } = await openLab()
+  expect(await page.title()).toBe('Any Frame Rate')
+  expect(await spread()).toBe('0.23\u2009m')
+  expect(await page.getByRole('button', { pressed: true }).allInnerTexts()).toEqual(['Clamped'])
+  expect(await time().getAttribute('aria-valuetext')).toBe('1.00 of 1.00 seconds')
+  const ends = await page.locator('runner-row .end output').allInnerTexts()
+  expect(ends).toEqual(['−0.246\u2009m', '−0.082\u2009m', '−0.021\u2009m'])
+  expect(await runner(0).locator('.now output').innerText()).toBe(ends[0])
+  expect(await page.locator('slide-stage').getByRole('img').getAttribute('aria-label')).toContain(
+    '10 fps: stopped at 1.47',
+  )
+  expect(await page.evaluate(() => location.hash)).toBe('')
+  expect(problems).toEqual([])
+})
+
+test('nothing moves by itself, and nothing asks for animation frames while nothing moves', async () => {
+  const { page } = await openLab()
+  const requests = await page.evaluate(async () => {
+    let count = 0
+    const original = window.requestAnimationFrame
+    window.requestAnimationFrame = (callback) => (count++, original(callback))
+    await new Promise((resolve) => setTimeout(resolve, 500))
+    return count
+  })
+  expect(requests).toBe(0)
+})
+
+test('several labs stand on one page, each with its own state', async () => {
+  const { page, problems } = await openLab()
+  const scenes = await page.evaluate(async () => {
+    type Lab = HTMLElement & { state: { scene: string }; change: (change: object) => string }
+    const [first] = document.querySelectorAll<Lab>('slide-lab')
+    const second = document.createElement('slide-lab') as Lab
+    document.querySelector('main')!.append(second)
+    second.change({ kind: 'scene', scene: 'fall' })
+    await new Promise((resolve) => setTimeout(resolve, 500))
+    return [first!.state.scene, second.state.scene, location.hash]
+  })
+  expect(scenes).toEqual(['ramp', 'fall', ''])
+  const ids = await page.evaluate(() => [...document.querySelectorAll('[id]')].map(({ id }) => id))
+  expect(new Set(ids).size).toBe(ids.length)
+  expect(problems).toEqual([])
+})
+
+test('the theme goes from the system’s to light to dark, in page and picture', async () => {
+  const { page, pixels } = await openLab('', { colorScheme: 'dark' })
+  const paper = () =>
+    page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor)
+  const byTheSystem = [await paper(), await pixels()]
+  await page.getByRole('button', { name: 'Theme: system' }).click()
+  await expect.poll(async () => [await paper(), await pixels()]).not.toContain(byTheSystem[0])
+  expect(await pixels()).not.toBe(byTheSystem[1])
+  await page.getByRole('button', { name: 'Theme: light' }).click()
+  await expect.poll(async () => [await paper(), await pixels()]).toEqual(byTheSystem)
+  await page.getByRole('button', { name: 'Theme: dark' }).click()
+  expect(await page.getByRole('button', { name: 'Theme: system' }).count()).toBe(1)
+})
+
+describe.each([
+  ['desktop', 1280],
+  ['phone', 390],
+])('on a %s', (_, width) => {
+  test.each(['light', 'dark'] as const)(
+    'axe finds nothing in the %s theme',
+    async (colorScheme) => {
+      const { page, goTo } = await openLab('', { width, colorScheme })
+      expect(await violations(page)).toEqual([])
+      // With an open problem, every kind of option, a hidden runner, and a way of its own.
+      await goTo(
+        '#runners=10/fixed(step:1/60);hitch(fps:30,every:1,length:0.2);recorded(durations:0.02)/hidden',
+      )
+      await page.getByRole('textbox', { name: 'Angle' }).fill('95')
+      await page.getByRole('textbox', { name: 'Angle' }).press('Enter')
+      expect(await page.getByRole('alert').count()).toBe(1)
+      expect(await violations(page)).toEqual([])
+      await goTo('#angle=95')
+      expect(await violations(page)).toEqual([])
+    },
+  )
+})
+
+test.each([320, 390, 640, 768, 1024, 1440])('%d px wide, nothing is cut off', async (width) => {
+  const { page, goTo } = await openLab('', { width, hasTouch: width < 800 })
+  for (const address of ['#', '#scene=run-out', '#scene=spring', '#angle=95&b=1', EIGHT]) {
+    await goTo(address)
+    await expect.poll(() => page.locator('runner-row').count()).toBe(address === EIGHT ? 8 : 3)
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
+    expect(await overflowing(page), address).toEqual([])
+  }
+})
+
+const EIGHT =
+  '#runners=10/fixed(step:1/60)/semi-implicit-euler;jitter(fps:30,amount:0.5,seed:1)/rk4;' +
+  'hitch(fps:60,every:0.7,length:0.3)/substeps(step:1/100)/clamped;missed-vsync(fps:60,seed:2)/capped(cap:0.02);' +
+  'recorded(durations:0.016+0.033)/explicit-euler;5/per-frame(step:0.1);24/yoshida4;144/implicit-midpoint/naive'
+
+/** What sticks out of the sheet, or out of a box that cuts it off. */
+function overflowing(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const found: string[] = []
+    const sheet = document.querySelector('.sheet')!.getBoundingClientRect()
+    for (const element of document.querySelectorAll<HTMLElement>('.sheet *')) {
+      if (element.closest('.visually-hidden, slide-stage, svg')) continue
+      const { left, right, width } = element.getBoundingClientRect()
+      const sticksOut = width > 0 && (left < sheet.left - 0.5 || right > sheet.right + 0.5)
+      const isCut =
+        element.matches('button, output, label, h2, dt, .clock') &&
+        element.scrollWidth > element.clientWidth + 1 &&
+        getComputedStyle(element).display !== 'inline'
+      if (sticksOut || isCut)
+        found.push(`${element.localName}.${element.className} ${element.innerText}`)
+    }
+    return found
+  })
+}
+
+async function violations(page: Page): Promise<string[][]> {
+  // The first paragraph of it is written once the picture has come to rest.
+  await page.waitForTimeout(100)
+  const { violations } = await new AxeBuilder({ page }).analyze()
+  return violations.map(({ id, help, nodes }) => [id, help, ...nodes.map((node) => node.html)])
+}
