@@ -8,6 +8,7 @@ export default defineConfig({
       provider: 'v8',
       include: ['src/physics/**/*.ts'],
       reporter: ['text'],
+      reportsDirectory: 'node_modules/.cache/coverage',
       thresholds: { lines: 100, branches: 100 },
     },
     projects: [

@@ -1,4 +1,4 @@
-import { exactMotion, forcesAt } from '../physics/index.ts'
+import { exactMotion, forcesAt, length } from '../physics/index.ts'
 import type { ForceVectors, State, Trajectory, Vector } from '../physics/index.ts'
 import { endOf } from '../view/timeline.ts'
 
@@ -8,8 +8,6 @@ export interface Forces {
   readonly vectors: ForceVectors
   /** [m/s], along the track. */
   readonly velocity: Vector
-  /** Whether friction holds the block, brakes it, or is none: nothing rubs, or the rule leaves it out. */
-  readonly rubbing: 'held' | 'sliding' | 'none'
 }
 
 /**
@@ -30,25 +28,9 @@ interface Moment {
 }
 
 function forcesIn({ experiment }: Pick<Trajectory, 'experiment'>, state: State): Forces {
-  const { parameters, stopping } = experiment
-  // Friction against the sign of v is none where v is 0, and a rule that goes by nothing else never holds a block.
-  const signless = stopping === 'naive' && state.v === 0
-  const frictionless = { ...parameters, muStatic: 0, muKinetic: 0 }
-  const slides = 'muKinetic' in parameters
-  const vectors = forcesAt(
-    signless && slides ? { ...experiment, parameters: frictionless } : experiment,
-    state,
-  )
-  const { along, sum, gravity, friction, other } = vectors
-  // Held, the forces along the track are nothing to rounding.
-  const rounding = 1e-12 * (length(gravity) + length(friction) + length(other))
-  const still = Math.abs(dot(sum, along)) <= rounding
-  const rubs = slides && !signless && parameters.muStatic! + parameters.muKinetic! > 0
-  return {
-    vectors,
-    velocity: { x: state.v * along.x, y: state.v * along.y },
-    rubbing: !rubs ? 'none' : state.v === 0 && still ? 'held' : 'sliding',
-  }
+  const vectors = forcesAt(experiment, state)
+  const { along } = vectors
+  return { vectors, velocity: { x: state.v * along.x, y: state.v * along.y } }
 }
 
 /** The largest force of a run [N] and its largest speed [m/s]: what arrows are drawn to scale with. */
@@ -108,12 +90,4 @@ function indexOfLargest(values: Float64Array): number {
   for (let i = 1; i < values.length; i++)
     if (Math.abs(values[i]!) > Math.abs(values[best]!)) best = i
   return best
-}
-
-export function dot(a: Vector, b: Vector): number {
-  return a.x * b.x + a.y * b.y
-}
-
-export function length({ x, y }: Vector): number {
-  return Math.hypot(x, y)
 }

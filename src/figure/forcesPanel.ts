@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit'
 import type { Vector } from '../physics/index.ts'
 import { raw } from '../view/numbers.ts'
-import { dot, length } from './forces.ts'
+import { dot, length } from '../physics/index.ts'
 import type { Forces } from './forces.ts'
 import { lookedAt, arrowNames } from './forcesPicture.ts'
 import type { Looked } from './forcesPicture.ts'

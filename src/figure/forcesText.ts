@@ -1,6 +1,6 @@
 import type { ResolvedExperiment } from '../physics/index.ts'
 import { fixed, plain } from '../view/numbers.ts'
-import { length } from './forces.ts'
+import { length } from '../physics/index.ts'
 import type { Forces } from './forces.ts'
 
 /** A figure with as many decimals as the largest of its kind makes worth reading, so that it keeps its width. */
@@ -19,7 +19,7 @@ function rounded(value: number, largest: number): number {
 /** What friction does and why it is as large as it is; nothing where nothing can rub. */
 export function frictionText(
   { parameters, stopping }: Pick<ResolvedExperiment, 'parameters' | 'stopping'>,
-  { vectors, rubbing }: Forces,
+  { vectors }: Forces,
   largest: number,
 ): string {
   const { muStatic, muKinetic } = parameters
@@ -27,11 +27,11 @@ export function frictionText(
   const { friction, normal } = vectors
   const newtons = (value: number) => `${quantity(value, largest)}\u2009N`
   const size = newtons(length(friction))
-  if (rubbing === 'held') {
+  if (vectors.rubbing === 'held') {
     const most = Math.max(muStatic, muKinetic) * length(normal)
     return `Static friction holds it: ${size} of at most ${newtons(most)}.`
   }
-  if (rubbing === 'none')
+  if (vectors.rubbing === 'none')
     return muStatic + muKinetic > 0
       ? 'No friction at v = 0: the naive rule knows only the friction of sliding.'
       : 'No friction: μ is 0.'

@@ -4,6 +4,7 @@ import { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
 import type { Scene, State } from './scene.ts'
 import { scenes } from './scenes/index.ts'
+import { stoppings } from './stopping/index.ts'
 import { sinCos } from './trigonometry.ts'
 import { dot, plus, times } from './vector.ts'
 import type { Vector } from './vector.ts'
@@ -25,6 +26,8 @@ export interface ForceVectors {
   sum: Vector
   /** The sum divided by the mass [m/s²]. */
   acceleration: Vector
+  /** Whether friction holds the block, brakes it, or is none: nothing rubs, or the stopping rule leaves it out. */
+  rubbing: 'held' | 'sliding' | 'none'
 }
 
 /**
@@ -34,7 +37,7 @@ export interface ForceVectors {
  * @throws ExperimentError for an experiment that can't be run
  */
 export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors {
-  const { scene: id, parameters } = parseExperiment(experiment)
+  const { scene: id, parameters, stopping } = parseExperiment(experiment)
   const scene: Scene = entry(scenes, id)
   const law = scene.law(parameters)
   const { slope } = scene.place(parameters, s)
@@ -44,8 +47,10 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const motion = new Motion(law, s, v)
   motion.feel()
   const { drive, press } = motion
-  const held = v === 0 && Math.abs(drive) <= law.muStatic * press
-  const slip = v > 0 || (v === 0 && drive > 0) ? 1 : -1
+  // A rule that goes by the sign of v alone knows no friction where v is 0.
+  const atRest = v === 0 && entry(stoppings, stopping).holdsSlip
+  const held = atRest && law.muStatic > 0 && Math.abs(drive) <= law.muStatic * press
+  const slip = Math.sign(atRest ? drive : v)
   const gravity = { x: 0, y: -law.mass * parameters.gravity! }
   const normal = times(law.mass * press, across)
   const friction = times(-law.mass * (held ? drive : slip * law.muKinetic * press), along)
@@ -60,5 +65,6 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
     other,
     sum,
     acceleration: times(1 / law.mass, sum),
+    rubbing: held ? 'held' : law.muStatic > 0 && slip !== 0 ? 'sliding' : 'none',
   }
 }

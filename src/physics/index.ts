@@ -42,6 +42,7 @@ export type {
 
 export { forcesAt } from './forces.ts'
 export type { ForceVectors } from './forces.ts'
+export { dot, length } from './vector.ts'
 export type { Vector } from './vector.ts'
 export { allCorrected, asPrinted, corrections, paperStep } from './paper.ts'
 export type { Body, Correction, Corrections, Surface } from './paper.ts'

@@ -84,6 +84,15 @@ describe('the force vectors', () => {
     expect(dot(friction, along)).toBeCloseTo(-0.4 * length(normal), 12)
   })
 
+  it('of a block under the naive rule, at exactly v = 0, know no friction: it can’t be held', () => {
+    const slope: Experiment = { scene: 'ramp', parameters: { angle: 10 }, stopping: 'naive' }
+    const { friction, rubbing } = forcesAt(slope, { s: 0, v: 0 })
+    expect(length(friction)).toBe(0)
+    expect(rubbing).toBe('none')
+    expect(forcesAt(slope, { s: 0, v: 1 }).rubbing).toBe('sliding')
+    expect(forcesAt({ ...slope, stopping: 'clamped' }, { s: 0, v: 0 }).rubbing).toBe('held')
+  })
+
   it('leave no normal force on a wall', () => {
     expect(
       length(forcesAt({ scene: 'ramp', parameters: { angle: 90 } }, { s: 0, v: 1 }).normal),

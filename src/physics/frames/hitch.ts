@@ -34,14 +34,15 @@ export const hitch = {
     'Steady frames with one long one at regular intervals: a level loads, memory is collected.',
   options,
   frames: ({ fps, every, length }: Values<typeof options>, duration: number) => {
-    const rate = (plain: number) => (plain + 1) / (length + plain / fps)
+    const rate = (plain: number, hitches: number) =>
+      (plain + hitches) / (plain / fps + hitches * length)
     const rest = every * Math.ceil(length / every) - length
-    // Where hardly a frame fits between a hitch and the next that is due, some hitches miss their turn, and anything from
-    // the fewest to the most plain frames lies between two.
+    // Where hardly a frame fits between a hitch and the next that is due, some hitches miss their turn and some follow at
+    // once: anything from the fewest to the most plain frames lies between two.
     const most =
       rest * fps < 1
-        ? Math.max(rate(length < every ? 1 : 0), rate(every * fps + 1))
-        : rate(rest * fps)
+        ? Math.max(length < every ? rate(1, 2) : rate(0, 1), rate(every * fps + 1, 1))
+        : rate(rest * fps, 1)
     // A run begins with plain frames: it is ahead of its rate by those of one hitch at the most, and by one.
     return most * duration + fps * length + 1
   },
