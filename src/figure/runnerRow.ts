@@ -206,6 +206,8 @@ export class RunnerRow extends LitElement {
     this.lab.change({ kind: 'remove', index: this.index })
     // The focus stays among the runners.
     neighbour?.querySelector<HTMLElement>('.eye')?.focus()
+    // It has moved up, but does not know its new place yet.
+    this.lab.select(Math.min(this.index, this.count - 2))
   }
 
   private readonly select = (): void => this.lab.select(this.index)

@@ -104,11 +104,7 @@ class Reader {
     for (const key of Object.keys(value)) {
       if (known.includes(key)) continue
       const name = nearest(key, known)
-      const hint = name
-        ? `did you mean ${name}?`
-        : known.length
-          ? `known are ${known.join(', ')}`
-          : 'nothing is'
+      const hint = name ? `did you mean ${name}?` : `known are ${known.join(', ')}`
       this.report(path ? `${path}.${shorten(key)}` : shorten(key), `is not known here; ${hint}`)
     }
     // Inherited properties are nobody's wish: only the object's own count.

@@ -191,6 +191,41 @@ describe('a run-out', () => {
   })
 })
 
+describe('an open end of a track', () => {
+  const plank = [{ ...straight(30, 1), from: -1 }]
+  const bare = { gravity: 9.81, muStatic: 0, muKinetic: 0 }
+  const from = (position: number, speed = 0) => exactTrack(plank, { ...bare, position, speed })
+
+  it('lets go a block put down on the upper one, which slides the length and is gone', () => {
+    const gone = at(from(-1), 5)
+    expect(gone.s).toBe(1)
+    expect(Math.abs(gone.v - Math.sqrt(2 * 9.81 * 0.5 * 2))).toBeLessThanOrEqual(1e-15)
+  })
+
+  it('keeps the state of one put down on the lower one, or beyond either', () => {
+    for (const position of [1, 1.5, -1.5])
+      expect(at(from(position), 5)).toEqual({ s: position, v: 0 })
+    expect(at(from(1.5, 2), 5)).toEqual({ s: 1.5, v: 2 })
+  })
+})
+
+describe('a swing of a few of the smallest numbers', () => {
+  it.each([1, 2, 3, 10, 50])('stays as small, from %i of them', (count) => {
+    const position = count * 5e-324
+    for (const muKinetic of [0, 1e-9, 0.1, 0.5])
+      for (const gravity of [5e-324, 1e-300, 9.81, 1e6])
+        for (const radius of [0.001, 0.5, 1, 2, 7, 1e6]) {
+          const motion = halfPipe({ position, gravity, radius, muKinetic })
+          for (const t of [0, 0.5, 1, 10, 100]) {
+            const { s, v } = at(motion, t)
+            // Every phase rounds to whole units of 5e-324, and there are some dozens of them.
+            expect(Math.abs(s)).toBeLessThanOrEqual(position + 100 * 5e-324)
+            expect(Number.isFinite(v)).toBe(true)
+          }
+        }
+  })
+})
+
 describe('what changes the law', () => {
   const cases: [string, ExactMotion, number, number[]][] = [
     ['run-out', runOut({ muKinetic: 0.2, muStatic: 0.3, speed: -2 }), 4, [4, 4 + Math.PI / 4]],

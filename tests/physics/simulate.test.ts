@@ -213,6 +213,8 @@ describe('createRun', () => {
     expect(game.time).toBeCloseTo(0.243, 15)
     expect(game.motion.s).toBeCloseTo(exact({ scene: 'ramp' }, 0.243).s, 14)
     expect(game.outcome).toEqual({ kind: 'moving', time: game.time })
+    // μk m g cos α × the way slid.
+    expect(game.heat).toBeCloseTo(0.2 * 9.81 * Math.sqrt(0.75) * game.motion.s, 13)
   })
 
   it.each([NaN, -1, Infinity])('refuses a frame of %s s', (duration) => {

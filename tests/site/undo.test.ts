@@ -103,6 +103,24 @@ describe('by key', () => {
   })
 })
 
+test('removed runners come back, and what is selected is always there', async () => {
+  const lab = await openLab()
+  const { page } = lab
+  const selected = () =>
+    page.evaluate(() => {
+      const rows = [...document.querySelectorAll('runner-row')]
+      return rows.map((row) => row.hasAttribute('selected'))
+    })
+  await page.getByRole('button', { name: 'Remove 10 fps' }).click()
+  await expect.poll(selected).toEqual([true, false])
+  await page.getByRole('button', { name: 'Remove 120 fps' }).click()
+  await expect.poll(selected).toEqual([true])
+  await page.keyboard.press('Control+z')
+  await page.keyboard.press('Control+z')
+  await expect.poll(async () => (await selected()).length).toBe(3)
+  expect(lab.problems).toEqual([])
+})
+
 test('opening an address is a step as well', async () => {
   const lab = await openLab()
   await lab.slider('Angle').fill('40')

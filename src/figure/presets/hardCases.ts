@@ -2,10 +2,10 @@ import { hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
 import { scenes } from '../../physics/index.ts'
 import type { Experiment, Scene } from '../../physics/index.ts'
-import { shownNumber } from '../numberText.ts'
+import { plain } from '../../view/numbers.ts'
 import { preset } from './preset.ts'
 import type { Preset } from './preset.ts'
-import { stateOf, together } from './stateOf.ts'
+import { durationOf, stateOf, together } from './stateOf.ts'
 
 /** What the numbers of the hard cases' groups are called in the menu. */
 const groups: readonly (readonly [string, readonly number[]])[] = [
@@ -23,15 +23,25 @@ export const hardPresets: readonly Preset[] = groups.flatMap(([name, numbers]) =
     .flatMap((hardCase) => presetsOf(hardCase, name)),
 )
 
-function presetsOf({ label, watch, experiments }: HardCase, group: string): Preset[] {
+function presetsOf({ label, watch, experiments, refused }: HardCase, group: string): Preset[] {
   const parts = together(experiments)
   const names = parts.map(([first]) => distinction(first!, parts))
   const areNames = names.every((name, i) => name && names.indexOf(name) === i)
   return parts.map((part, i) => {
     const name = areNames ? names[i]! : `${i + 1} of ${parts.length}`
     const whole = parts.length > 1 ? `${label}: ${name}` : label
-    return preset(group, whole, watch, () => stateOf(part))
+    const whatToWatch = refused ? watch : watch + remarkOn(part)
+    return preset(group, whole, whatToWatch, () => stateOf(part))
   })
+}
+
+/** That a run is only shown in part, if it is. */
+function remarkOn(experiments: readonly Experiment[]): string {
+  const { duration } = experiments[0]!
+  const shown = durationOf(experiments)
+  return duration === undefined || shown === duration
+    ? ''
+    : ` Of ${duration} s, the first ${shown} s are shown here.`
 }
 
 /** What an experiment has that others of its case have not: its scene, or a parameter, or its duration. */
@@ -44,7 +54,7 @@ function distinction(experiment: Experiment, parts: readonly Experiment[][]): st
       (({ ...experiment.parameters }) as Record<string, number | undefined>)[name]
     const own = value(experiment)
     if (own !== undefined && firsts.some((other) => value(other) !== own))
-      return `${label.toLowerCase()} ${shownNumber(own)} ${unit}`.trim()
+      return `${label.toLowerCase()} ${plain(own)} ${unit}`.trim()
   }
   return ''
 }

@@ -28,16 +28,20 @@ export function together(experiments: readonly Experiment[]): Experiment[][] {
  */
 export function stateOf(experiments: readonly Experiment[]): LabState {
   const resolved = experiments.map(parseExperiment)
-  const { scene, parameters, duration } = resolved[0]!
+  const { scene, parameters } = resolved[0]!
   const runners = resolved.map(({ frames, timestep, integrator, stopping }, look) => ({
     ...{ frames, timestep, integrator, stopping },
     ...{ look, hidden: false },
   }))
+  return checked({ scene, parameters, runners, duration: durationOf(experiments) })
+}
+
+/** How long they are run there [s]. */
+export function durationOf(experiments: readonly Experiment[]): number {
+  const resolved = experiments.map(parseExperiment)
+  const { duration } = resolved[0]!
   const excess = resolved.reduce((sum, each) => sum + frameCount(each), 0) / MOST_FRAMES
-  return checked({
-    ...{ scene, parameters, runners },
-    duration: excess > 1 ? rounded(duration / excess) : duration,
-  })
+  return excess > 1 ? rounded(duration / excess) : duration
 }
 
 function frameCount({ frames, duration }: ResolvedExperiment): number {

@@ -38,12 +38,14 @@ export const implicitMidpoint = {
       motion.v = guess
       motion.accelerate()
       const next = v - guess + half * motion.a
+      // Two guesses that miss alike point nowhere.
+      if (next === miss) iterations = MOST_ITERATIONS
       // The quotient first: the product of two small numbers may underflow, and look as if solved.
-      change = next === miss ? 0 : change * (next / (miss - next))
+      else change *= next / (miss - next)
       miss = next
       iterations++
     }
-    if (iterations === MOST_ITERATIONS) motion.unsolved++
+    if (iterations >= MOST_ITERATIONS) motion.unsolved++
     motion.s = s + guess * dt
     motion.v = guess + guess - v
   },
