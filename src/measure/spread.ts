@@ -2,7 +2,7 @@ import { simulate } from '../physics/index.ts'
 import type { Experiment, FramesChoice } from '../physics/index.ts'
 
 /** The frames under which a run must end in the same place to be called framerate-independent. */
-export const spreadClocks: readonly FramesChoice[] = [
+const spreadClocks: readonly FramesChoice[] = [
   ...[5, 10, 15, 24, 30, 60, 120, 144, 240].map((fps) => ({ kind: 'steady', fps }) as const),
   { kind: 'jitter', fps: 60, amount: 0.9, seed: 1 },
   { kind: 'hitch', fps: 60, every: 0.7, length: 0.5 },
