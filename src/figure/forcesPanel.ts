@@ -2,6 +2,7 @@ import { html, nothing } from 'lit'
 import type { Vector } from '../physics/index.ts'
 import { raw } from '../view/numbers.ts'
 import { dot, length } from '../physics/index.ts'
+import { atNow } from './atNow.ts'
 import type { Forces } from './forces.ts'
 import { lookedAt, arrowNames } from './forcesPicture.ts'
 import type { Looked } from './forcesPicture.ts'
@@ -23,7 +24,7 @@ export function forcesPanel(lab: LabView, shown: boolean, show: (shown: boolean)
         Show forces
       </label>
     </div>
-    ${shown ? legend(lab, looked) : nothing}
+    ${shown ? atNow(lab.playback, () => legend(lab, lookedAt(lab))) : nothing}
   </section>`
 }
 

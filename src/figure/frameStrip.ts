@@ -1,8 +1,9 @@
-import { html, LitElement, nothing } from 'lit'
-import type { PropertyValues } from 'lit'
+import { html, LitElement, noChange, nothing } from 'lit'
 import { fixed } from '../view/numbers.ts'
 import { frameRate } from '../view/timeline.ts'
+import { atNow } from './atNow.ts'
 import { MOST_RUNNERS } from './check.ts'
+import type { Playback } from './playback.ts'
 import { drawLane } from './stripDrawing.ts'
 import type { SimulatedRunner } from './simulation.ts'
 import { clockworkOf, noteOf, stripText } from './stripLanes.ts'
@@ -22,18 +23,18 @@ const NOTE = 17
  *
  * - `runners`: those that are visible
  * - `duration`: the length of the axis [s]
- * - `time`: the cursor [s]
+ * - `playback`: the cursor
  */
 export class FrameStrip extends LitElement {
   static override properties = {
     runners: { attribute: false },
     duration: { attribute: false },
-    time: { attribute: false },
+    playback: { attribute: false },
   }
 
   declare runners: readonly SimulatedRunner[]
   declare duration: number
-  declare time: number
+  declare playback: Playback
   /** Read once a theme: asking for styles between changes of the page is slow. */
   private colours: Colours | undefined
   private width = 0
@@ -48,16 +49,18 @@ export class FrameStrip extends LitElement {
     this.width = this.clientWidth
     const sizes = new ResizeObserver(() => {
       this.width = this.clientWidth
-      this.requestUpdate('runners')
+      this.requestUpdate()
     })
     sizes.observe(this)
     const stopThemes = onThemeChange(() => {
       this.colours = undefined
-      this.requestUpdate('runners')
+      this.requestUpdate()
     })
+    const stopTime = this.playback.watch(this, 'draw', () => this.drawEnlarged())
     this.stopWatching = () => {
       sizes.disconnect()
       stopThemes()
+      stopTime()
     }
   }
 
@@ -67,85 +70,93 @@ export class FrameStrip extends LitElement {
   }
 
   override render() {
-    const { runners, duration, time } = this
-    const notes = runners.map((runner) => noteOf(runner, time))
-    const lanes = this.lanes(notes)
+    const { runners, playback } = this
+    const lanes = this.lanes(true)
     const window = this.window()
-    const share = (t: number) => within({ from: 0, to: duration }, t)
+    // Moved, not laid out anew.
+    const moved = (t: number) => `transform: translateX(${this.pixels(t)}px)`
+    const at = (of: (time: number) => unknown) => atNow(playback, of)
+    const bound = (end: 'from' | 'to') => at(() => fixed(this.window()?.[end] ?? 0, 2))
+    const words = (time: number) => runners.map((runner) => stripText(runner, time)).join(' ')
     return html`<div class="overview" style="height: ${lanes.height}px">
         ${
-          window &&
-          html`<div
-            class="window"
-            style="left: ${share(window.from)}; width: ${share(window.to - window.from)}"
-          ></div>`
+          window
+            ? html`<div
+                class="window"
+                style="width: ${this.pixels(window.to - window.from)}px; ${at(() =>
+                  moved(this.window()?.from ?? 0),
+                )}"
+              ></div>`
+            : nothing
         }
         <canvas aria-hidden="true"></canvas>
-        ${notes.map((note, i) =>
-          note
+        ${runners.map((runner, i) =>
+          hasNote(runner)
             ? html`<p class="note" aria-hidden="true" style="top: ${lanes.boxes[i]!.note}px">
-                ${note}
+                ${at((time) => noteOf(runner, time))}
               </p>`
             : nothing,
         )}
-        <div class="cursor" style="left: ${share(time)}"></div>
+        <div class="cursor" style=${at(moved)}></div>
       </div>
       ${
-        window &&
-        html`<div class="enlarged" aria-hidden="true">
-          <p><span>${fixed(window.from, 2)}</span><span>${fixed(window.to, 2)}&thinsp;s</span></p>
-          <canvas style="height: ${this.lanes([]).height}px"></canvas>
-        </div>`
+        window
+          ? html`<div class="enlarged" aria-hidden="true">
+              <p><span>${bound('from')}</span><span class="to">${bound('to')}&thinsp;s</span></p>
+              <canvas style="height: ${this.lanes(false).height}px"></canvas>
+            </div>`
+          : nothing
       }
-      <p class="visually-hidden">${runners.map((runner) => stripText(runner, time)).join(' ')}</p>`
+      <p class="visually-hidden">${at((time) => (playback.playing ? noChange : words(time)))}</p>`
   }
 
-  override updated(changes: PropertyValues<this>): void {
-    const [overview, enlarged] = this.querySelectorAll('canvas')
-    if (changes.has('runners') || changes.has('duration')) {
-      const notes = this.runners.map((runner) => noteOf(runner, this.time))
-      this.draw(overview!, notes, 0, this.duration)
-    }
+  override updated(): void {
+    this.draw(this.querySelector('canvas')!, true, { from: 0, to: this.duration })
+    this.drawEnlarged()
+  }
+
+  private drawEnlarged(): void {
+    const canvas = this.querySelector<HTMLCanvasElement>('.enlarged canvas')
     const window = this.window()
-    if (window) this.draw(enlarged!, [], window.from, window.to)
+    if (canvas && window) this.draw(canvas, false, window)
   }
 
   /** The stretch of time around the cursor that is enlarged: undefined where all frames can be seen anyway [s]. */
-  private window(): { from: number; to: number } | undefined {
-    const { runners, duration, time, width } = this
+  private window(): Stretch | undefined {
+    const { runners, duration, playback, width } = this
     const densest = Math.max(0, ...runners.map(({ trajectory }) => frameRate(trajectory)))
     if (width === 0 || densest * duration <= width / DENSE) return undefined
     const length = width / ENLARGED / densest
-    const from = Math.min(Math.max(0, time - length / 2), duration - length)
+    const from = Math.min(Math.max(0, playback.time - length / 2), duration - length)
     return { from, to: from + length }
   }
 
-  /** Where each lane and its note stand [px]. */
-  private lanes(notes: readonly string[]) {
+  /** A length of time on the axis [px]. */
+  private pixels(time: number): number {
+    return this.duration > 0 ? (this.width * time) / this.duration : 0
+  }
+
+  /** Where each lane stands, and its note if there is room for notes [px]. */
+  private lanes(noted: boolean) {
     const plain = Math.max(8, 32 / this.runners.length)
     let height = 0
-    const boxes = this.runners.map(({ trajectory }, i) => {
+    const boxes = this.runners.map((runner) => {
       const top = height
-      const stepping = clockworkOf(trajectory).step !== undefined
+      const stepping = clockworkOf(runner.trajectory).step !== undefined
       const frames = stepping ? 10 : plain
       const steps = stepping ? 13 : 0
       const note = top + frames + steps
-      height = note + (notes[i] ? NOTE : 0)
+      height = note + (noted && hasNote(runner) ? NOTE : 0)
       return { top, frames, steps, note }
     })
     return { boxes, height: Math.max(height, 8) }
   }
 
-  private draw(
-    canvas: HTMLCanvasElement,
-    notes: readonly string[],
-    from: number,
-    to: number,
-  ): void {
+  private draw(canvas: HTMLCanvasElement, noted: boolean, { from, to }: Stretch): void {
     const pen = canvas.getContext('2d')
     if (!pen || this.width === 0 || !(to > from)) return
     const ratio = devicePixelRatio
-    const { boxes, height } = this.lanes(notes)
+    const { boxes, height } = this.lanes(noted)
     const width = Math.round(this.width * ratio)
     const rows = Math.round(height * ratio)
     if (canvas.width !== width) canvas.width = width
@@ -166,9 +177,15 @@ export class FrameStrip extends LitElement {
   }
 }
 
-/** How far into a stretch of time an instant is, for a style. */
-function within({ from, to }: { from: number; to: number }, time: number): string {
-  return `${to > from ? (100 * (time - from)) / (to - from) : 0}%`
+/** Of time [s]. */
+interface Stretch {
+  readonly from: number
+  readonly to: number
+}
+
+/** Whether there is something to say of a runner's time, at every instant or at none. */
+function hasNote(runner: SimulatedRunner): boolean {
+  return noteOf(runner, 0) !== ''
 }
 
 interface Colours {

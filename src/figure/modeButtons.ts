@@ -1,6 +1,6 @@
 import { html } from 'lit'
 import type { LabView } from './labView.ts'
-import { modeOf, modes } from './modes.ts'
+import { aboutOf, modeOf, modes } from './modes.ts'
 
 /** The buttons that set all runners at once, and what the one that is pressed does. */
 export function modeButtons({ simulated, change }: LabView) {
@@ -19,7 +19,7 @@ export function modeButtons({ simulated, change }: LabView) {
       )}
     </div>
     <p class="about">
-      ${mode?.about ?? 'A mixture of your own. Any of the buttons sets all runners to one way again.'}
+      ${mode ? aboutOf(mode, simulated.scene) : 'A mixture of your own. Any of the buttons sets all runners to one way again.'}
     </p>
   </div>`
 }

@@ -1,3 +1,4 @@
+import type { Scene } from '../physics/index.ts'
 import type { LabState, Method } from './state.ts'
 
 /** A way of moving blocks that all runners can be set to at once. */
@@ -6,6 +7,8 @@ interface Mode {
   readonly label: string
   /** What it does and what to look for. */
   readonly about: string
+  /** The same for a scene where nothing rubs and so nothing stops. */
+  readonly withoutFriction?: string
   readonly method: Method
 }
 
@@ -29,6 +32,8 @@ export const modes = [
     label: 'The paper',
     about:
       'Velocity, then position, each times deltaTime; friction against the velocity, whatever it is. The stops differ, and a block that should rest trembles on the spot for ever.',
+    withoutFriction:
+      'Velocity, then position, each times deltaTime. The fewer the frames, the further the block is from where it should be.',
     method: {
       timestep: { kind: 'variable' },
       integrator: 'semi-implicit-euler',
@@ -40,6 +45,8 @@ export const modes = [
     label: 'Clamped',
     about:
       'The same, but a step that would turn the velocity round ends at rest. Nothing trembles any more, and still every frame rate has a stopping place of its own.',
+    withoutFriction:
+      'The paper’s step with stops mended. Without friction nothing stops, so nothing changes: every frame rate still ends at a place of its own.',
     method: {
       timestep: { kind: 'variable' },
       integrator: 'semi-implicit-euler',
@@ -62,6 +69,8 @@ export const modes = [
     label: 'Located',
     about:
       'Steps along parabolas, and looks for the instant inside the step at which the block stops. On a straight track every frame rate agrees with the exact block, to the last digit.',
+    withoutFriction:
+      'Steps along parabolas, as the block itself moves under a constant force. Every frame rate agrees with the exact block, to the last digit.',
     method: {
       timestep: { kind: 'variable' },
       integrator: 'velocity-verlet',
@@ -75,6 +84,11 @@ export type ModeId = (typeof modes)[number]['id']
 /** The mode that every runner is in, if there is one. */
 export function modeOf(state: LabState): (typeof modes)[number] | undefined {
   return modes.find(({ method }) => state.runners.every((runner) => sameMethod(runner, method)))
+}
+
+/** What a mode does in a scene. */
+export function aboutOf({ about, withoutFriction }: Mode, { parameters }: Scene): string {
+  return 'muKinetic' in parameters ? about : (withoutFriction ?? about)
 }
 
 function sameMethod(a: Method, b: Method): boolean {

@@ -1,7 +1,8 @@
 import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../physics/index.ts'
-import { readNumber, shownNumber, writeNumber } from './numberText.ts'
+import { readNumber, writeNumber } from './numberText.ts'
+import { summaryText } from './recordFrames/summary.ts'
 
 interface OptionFields {
   /** Whose options they are. */
@@ -29,7 +30,7 @@ function field(
   pick: (value: unknown) => string,
 ) {
   if (option.type === 'choice') return choiceField(of, option, value as string, pick)
-  if (option.type === 'list') return listField(of, option, value as readonly number[], pick)
+  if (option.type === 'list') return timesField(of, option, value as readonly number[], pick)
   return html`<quantity-control
     layout=${key === 'fps' ? 'bare' : 'inline'}
     .quantity=${option}
@@ -58,32 +59,32 @@ function choiceField(
   </label>`
 }
 
-/** Numbers with blanks or commas between. */
-function listField(
+/** Frame times, the only lists there are: how many, and unfolded all of them, with blanks or commas between. */
+function timesField(
   of: string,
   { label, unit }: ListOption,
-  list: readonly number[],
+  times: readonly number[],
   pick: (value: unknown) => string,
 ) {
   const changed = (event: Event) => {
     const { value } = event.target as HTMLInputElement
-    pick(
-      value
-        .split(/[\s,;]+/)
-        .filter(Boolean)
-        .map((item) => readNumber(item) ?? item),
-    )
+    const items = value.split(/[\s,;]+/).filter(Boolean)
+    pick(items.map((item) => readNumber(item) ?? item))
   }
-  return html`<label class="choice">
-    ${label} [${unit}]
-    <input
-      type="text"
-      aria-label="${label} [${unit}], ${of}"
-      autocomplete="off"
-      spellcheck="false"
-      title=${list.slice(0, 20).map(shownNumber).join(' ')}
-      .value=${list.map(writeNumber).join(' ')}
-      @change=${changed}
-    />
-  </label>`
+  return html`<details class="times">
+    <summary title=${summaryText(times)}>
+      ${times.length} ${times.length === 1 ? 'frame' : 'frames'}
+    </summary>
+    <label class="choice">
+      ${label} [${unit}]
+      <input
+        type="text"
+        aria-label="${label} [${unit}], ${of}"
+        autocomplete="off"
+        spellcheck="false"
+        .value=${times.map(writeNumber).join(' ')}
+        @change=${changed}
+      />
+    </label>
+  </details>`
 }

@@ -1,6 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import type { Trajectory } from '../physics/index.ts'
 import { rowAt } from '../view/timeline.ts'
+import { Onlookers } from './onlookers.ts'
 
 /** What playback moves through. */
 interface Recording extends ReactiveControllerHost, HTMLElement {
@@ -12,7 +13,10 @@ interface Recording extends ReactiveControllerHost, HTMLElement {
 /** A tab that was away, or a browser that was busy, does not make the block leap. */
 const LONGEST_FRAME = 0.1
 
-/** A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. */
+/**
+ * A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. Where it is
+ * goes to those who watch it; its host is only updated when it begins or ceases to play.
+ */
 export class Playback implements ReactiveController {
   playing = false
   /** Recorded seconds in a second. */
@@ -22,6 +26,7 @@ export class Playback implements ReactiveController {
   private request = 0
   private before = 0
   private readonly host: Recording
+  private readonly onlookers = new Onlookers()
   private readonly watcher = new IntersectionObserver(([entry]) => {
     this.seen = entry!.isIntersecting
     this.schedule()
@@ -47,6 +52,11 @@ export class Playback implements ReactiveController {
     return Math.min(this.cursor, this.host.duration)
   }
 
+  /** Calls back whenever the cursor has moved; while it plays only if the element can be seen. Returns its undoing. */
+  watch(element: Element, does: 'draw' | 'write', listener: () => void): () => void {
+    return this.onlookers.add(element, does, listener)
+  }
+
   toggle(): void {
     if (this.playing) this.pause()
     else this.play()
@@ -61,9 +71,10 @@ export class Playback implements ReactiveController {
   }
 
   pause(): void {
+    if (this.playing) this.host.requestUpdate()
     this.playing = false
     this.schedule()
-    this.host.requestUpdate()
+    this.onlookers.tell(true)
   }
 
   /** Goes to an instant [s] and stays there. */
@@ -115,6 +126,6 @@ export class Playback implements ReactiveController {
     this.request = requestAnimationFrame(this.tick)
     this.cursor = this.time + this.speed * passed
     if (this.cursor >= this.host.duration) this.toEnd()
-    else this.host.requestUpdate()
+    else this.onlookers.tell(false)
   }
 }

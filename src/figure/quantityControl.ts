@@ -9,7 +9,7 @@ import { readNumber, shownNumber, writeNumber } from './numberText.ts'
 /** What a control needs to know of the number that it sets. */
 export type Quantity = Pick<
   NumberOption,
-  'label' | 'symbol' | 'unit' | 'min' | 'max' | 'slider' | 'integer'
+  'label' | 'symbol' | 'unit' | 'min' | 'max' | 'atMax' | 'slider' | 'integer'
 >
 
 /**
@@ -66,7 +66,8 @@ export class QuantityControl extends LitElement {
     const { quantity, layout, problem, labelled } = this
     const full = layout === 'full'
     const { label, symbol, unit } = quantity
-    const wide = Math.max(3, this.shown.length)
+    // As wide for the words as for the number, so that nothing moves when it gets the focus.
+    const wide = Math.max(3, this.shown.length, quantity.atMax?.length ?? 0)
     return html`
       <label class=${layout === 'bare' ? 'visually-hidden' : 'quantity-label'} for=${this.inputId}>
         ${label}
@@ -99,7 +100,10 @@ export class QuantityControl extends LitElement {
   }
 
   private get shown(): string {
-    return this.draft ?? (this.typing ? writeNumber(this.value) : shownNumber(this.value))
+    const { draft, typing, value, quantity } = this
+    if (draft !== undefined) return draft
+    if (typing) return writeNumber(value)
+    return value === quantity.max && quantity.atMax ? quantity.atMax : shownNumber(value)
   }
 
   private slider() {
@@ -127,10 +131,16 @@ export class QuantityControl extends LitElement {
       ?hidden=${same}
       title="Back to ${initial === undefined ? '' : shownNumber(initial)} ${quantity.unit}"
       aria-label="Reset ${quantity.label}"
-      @click=${() => this.offer(initial)}
+      @click=${() => this.restore(initial)}
     >
       ${icon('reset')}
     </button>`
+  }
+
+  private restore(initial: unknown): void {
+    this.offer(initial)
+    // The button goes, and must not take the focus with it.
+    this.querySelector<HTMLElement>('[type="range"]')!.focus()
   }
 
   private readonly focused = async (event: FocusEvent): Promise<void> => {

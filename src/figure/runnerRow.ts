@@ -2,6 +2,8 @@ import { html, LitElement, nothing } from 'lit'
 import { frameClocks, integrators, stoppings, timesteps } from '../physics/index.ts'
 import type { Described, Options } from '../physics/index.ts'
 import { count } from '../view/numbers.ts'
+import { rowAt } from '../view/timeline.ts'
+import { atNow } from './atNow.ts'
 import { MOST_RUNNERS } from './check.ts'
 import { endText } from './endText.ts'
 import { errorText } from './errorText.ts'
@@ -18,7 +20,6 @@ import type { RunnerState } from './state.ts'
  *
  * - `lab`: what it belongs to
  * - `runner`, `index`: which one it is
- * - `row`: the row of its trajectory that is on the screen
  * - `selected`: whether it is the one that is looked at closely
  */
 export class RunnerRow extends LitElement {
@@ -26,7 +27,6 @@ export class RunnerRow extends LitElement {
     lab: { attribute: false },
     runner: { attribute: false },
     index: { attribute: false },
-    row: { attribute: false },
     count: { attribute: false },
     selected: { type: Boolean, reflect: true },
     problem: { state: true },
@@ -35,7 +35,6 @@ export class RunnerRow extends LitElement {
   declare lab: LabView
   declare runner: SimulatedRunner
   declare index: number
-  declare row: number
   declare count: number
   declare selected: boolean
   declare private problem: string
@@ -65,10 +64,8 @@ export class RunnerRow extends LitElement {
       >
         ${this.mark()} ${this.rate()} ${this.clock()}
         ${this.choice('integrator', 'Integrator', integrators)}
-        ${this.choice('stopping', 'Stopping', stoppings)} ${this.timestep()}
-        ${this.error('Error now', 'now', this.row)}
-        ${this.error('Error at the end', 'end', runner.trajectory.frames)} ${this.stopped()}
-        ${this.evaluations()} ${this.actions()}
+        ${this.choice('stopping', 'Stopping', stoppings)} ${this.timestep()} ${this.errorNow()}
+        ${this.errorAtEnd()} ${this.stopped()} ${this.evaluations()} ${this.actions()}
         ${problem ? html`<p class="problem" role="alert">${problem}</p>` : nothing}
       </div>
     `
@@ -144,9 +141,25 @@ export class RunnerRow extends LitElement {
     })
   }
 
-  private error(label: string, name: string, row: number) {
-    const { text, title } = errorText(this.lab.simulated, this.runner.trajectory, row)
-    return this.result(label, name, text, title)
+  private errorNow() {
+    const { simulated, playback } = this.lab
+    const { trajectory } = this.runner
+    let row = -1
+    let error = { text: '', title: '' }
+    const at = (time: number) => {
+      const next = rowAt(trajectory, time)
+      if (next !== row) error = errorText(simulated, trajectory, (row = next))
+      return error
+    }
+    const text = atNow(playback, (time) => at(time).text)
+    const title = atNow(playback, (time) => at(time).title)
+    return this.result('Error now', 'now', text, title)
+  }
+
+  private errorAtEnd() {
+    const { trajectory } = this.runner
+    const { text, title } = errorText(this.lab.simulated, trajectory, trajectory.frames)
+    return this.result('Error at the end', 'end', text, title)
   }
 
   private stopped() {
@@ -160,14 +173,14 @@ export class RunnerRow extends LitElement {
     return this.result('Evaluations', 'evaluations', count(evaluations), title)
   }
 
-  private result(label: string, name: string, text: string, title: string) {
+  private result(label: string, name: string, text: unknown, title: unknown) {
     return html`<div class="cell result ${name}">
       <span class="cell-label">${label}</span><output title=${title}>${text}</output>
     </div>`
   }
 
   private actions() {
-    const { index, count, runner } = this
+    const { count, runner } = this
     const { hidden } = runner.state
     return html`<div class="actions">
       <button
@@ -184,7 +197,7 @@ export class RunnerRow extends LitElement {
         title="Duplicate"
         aria-label="Duplicate ${runner.name}"
         ?disabled=${count >= MOST_RUNNERS}
-        @click=${() => this.lab.change({ kind: 'duplicate', index })}
+        @click=${this.duplicate}
       >
         ${icon('duplicate')}
       </button>
@@ -198,6 +211,12 @@ export class RunnerRow extends LitElement {
         ${icon('remove')}
       </button>
     </div>`
+  }
+
+  private readonly duplicate = (): void => {
+    this.lab.change({ kind: 'duplicate', index: this.index })
+    // The button of the last that there is room for can't keep the focus.
+    if (this.count + 1 >= MOST_RUNNERS) this.querySelector<HTMLElement>('.eye')!.focus()
   }
 
   private readonly leave = (): void => {

@@ -2,7 +2,6 @@ import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import { frameClocks, integrators, stoppings, timesteps } from '../physics/index.ts'
 import type { Described } from '../physics/index.ts'
-import { rowAt } from '../view/timeline.ts'
 import { MOST_RUNNERS } from './check.ts'
 import type { LabView } from './labView.ts'
 
@@ -28,7 +27,6 @@ export function runnersTable(lab: LabView) {
           .runner=${runner}
           .index=${index}
           .count=${runners.length}
-          .row=${rowAt(runner.trajectory, lab.playback.time)}
           .selected=${index === lab.selected}
         ></runner-row>`,
     )}
@@ -36,13 +34,21 @@ export function runnersTable(lab: LabView) {
       type="button"
       class="add"
       ?disabled=${runners.length >= MOST_RUNNERS}
-      @click=${() => lab.change({ kind: 'add' })}
+      @click=${(event: Event) => add(lab, event.currentTarget as HTMLElement)}
     >
       Add a runner
     </button>
     <record-frames .lab=${lab} .selected=${runners[lab.selected]?.name ?? ''}></record-frames>
     ${notes(lab)}
   </section>`
+}
+
+/** The button of the last that there is room for hands the focus on to the runners, since it can't keep it. */
+function add(lab: LabView, button: HTMLElement): void {
+  lab.change({ kind: 'add' })
+  if (lab.simulated.runners.length < MOST_RUNNERS) return
+  const eyes = button.parentElement!.querySelectorAll<HTMLElement>('.eye')
+  eyes[eyes.length - 1]!.focus()
 }
 
 function notes({ simulated, selected }: LabView) {

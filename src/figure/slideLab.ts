@@ -2,6 +2,7 @@ import { html, LitElement, nothing } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import { AddressLink } from './addressLink.ts'
+import { atNow } from './atNow.ts'
 import { burstOf } from './burst.ts'
 import { ForcesSwitch } from './forcesSwitch.ts'
 import { freshId } from './freshId.ts'
@@ -76,6 +77,7 @@ export class SlideLab extends LitElement implements LabView {
     this.linkProblem = ''
     this.state = opening
     this.spoken = describe(this.simulated, this.playback.time)
+    this.playback.watch(this, 'write', this.tellLater)
     this.addEventListener('keydown', (event) => shortcut(event, this.playback))
   }
 
@@ -169,6 +171,10 @@ export class SlideLab extends LitElement implements LabView {
   }
 
   override updated(): void {
+    this.tellLater()
+  }
+
+  private readonly tellLater = (): void => {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => {
       this.spoken = describe(this.simulated, this.playback.time)
@@ -185,6 +191,7 @@ export class SlideLab extends LitElement implements LabView {
       look,
     }))
     const { parameters, duration } = state
+    const still = { scene, parameters, duration, runners, exact }
     return html`
       ${linkProblems(this.linkProblem)}
       <div class="sheet">
@@ -196,7 +203,8 @@ export class SlideLab extends LitElement implements LabView {
         <div class="opening">${modeButtons(this)} ${spreadFigure(this)}</div>
         ${presetNote(this)}
         <slide-stage
-          .picture=${{ scene, parameters, duration, time: playback.time, runners, exact, ...this.forces.picture() }}
+          .playback=${playback}
+          .picture=${(time: number) => ({ ...still, time, ...this.forces.picture() })}
           .description=${this.spoken}
           .change=${(values: Readonly<Record<string, number>>) =>
             this.change({ kind: 'parameters', values })}
@@ -212,7 +220,7 @@ export class SlideLab extends LitElement implements LabView {
     return html`${this.forces.panel()} ${parametersPanel(this)} ${runnersTable(this)}
       <lab-plots
         .simulated=${simulated}
-        .time=${playback.time}
+        .time=${atNow(playback, (time) => time)}
         .selected=${this.selected}
         .seek=${(time: number) => playback.seek(time)}
       ></lab-plots>

@@ -4,6 +4,7 @@ import type { NumberOption } from '../physics/index.ts'
 import type { Handle, HandleId, Picture } from '../view/picture.ts'
 import { Stage } from '../view/stage.ts'
 import { shownNumber } from './numberText.ts'
+import type { Playback } from './playback.ts'
 import { onThemeChange } from './theme.ts'
 
 const purposes: Readonly<Record<HandleId, string>> = {
@@ -15,19 +16,22 @@ const purposes: Readonly<Record<HandleId, string>> = {
 /**
  * The picture, and over each handle drawn in it a target that mouse, finger and keyboard can take hold of.
  *
- * - `picture`: what it shows
+ * - `picture`: what it shows at an instant [s]
+ * - `playback`: the instant
  * - `description`: the same in words
  * - `change`: called with the parameters that a handle was moved to
  */
 export class SlideStage extends LitElement {
   static override properties = {
     picture: { attribute: false },
+    playback: { attribute: false },
     description: { attribute: false },
     held: { state: true },
     lit: { state: true },
   }
 
-  declare picture: Omit<Picture, 'held' | 'lit'>
+  declare picture: (time: number) => Omit<Picture, 'held' | 'lit'>
+  declare playback: Playback
   declare description: string
   /** Not reactive: a fresh closure is no reason to draw again. */
   declare change: (values: Readonly<Record<string, number>>) => void
@@ -45,12 +49,17 @@ export class SlideStage extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback()
-    const redraw = () => this.requestUpdate()
+    const redraw = () => {
+      this.stage.refresh()
+      this.requestUpdate()
+    }
     const sizes = new ResizeObserver(redraw)
-    sizes.observe(this)
+    sizes.observe(this.canvas)
     const stopThemes = onThemeChange(redraw)
     document.fonts.addEventListener('loadingdone', redraw)
+    const stopTime = this.playback.watch(this, 'draw', () => this.draw())
     this.stopWatching = () => {
+      stopTime()
       sizes.disconnect()
       stopThemes()
       document.fonts.removeEventListener('loadingdone', redraw)
@@ -66,22 +75,27 @@ export class SlideStage extends LitElement {
     // Before rendering, since where the handles stand follows from the picture.
     this.canvas.role = 'img'
     this.canvas.ariaLabel = this.description
-    if (this.clientWidth > 0)
-      this.stage.draw({ ...this.picture, held: this.held, lit: this.held ?? this.lit })
+    this.draw()
+  }
+
+  private draw(): void {
+    const { picture, playback, held, lit } = this
+    this.stage.draw({ ...picture(playback.time), held, lit: held ?? lit })
   }
 
   override render() {
+    const picture = this.picture(this.playback.time)
     return html`${this.canvas}${repeat(
       this.stage.handles,
       ({ id }) => id,
-      (handle) => this.target(handle),
+      (handle) => this.target(handle, picture),
     )}`
   }
 
-  private target(handle: Handle) {
+  private target(handle: Handle, { scene, parameters }: Pick<Picture, 'scene' | 'parameters'>) {
     const { id, x, y, parameter } = handle
-    const option = this.picture.scene.parameters[parameter]!
-    const value = this.picture.parameters[parameter]!
+    const option = scene.parameters[parameter]!
+    const value = parameters[parameter]!
     const { from, to } = option.slider
     return html`<div
       class="handle"

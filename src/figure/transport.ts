@@ -1,6 +1,7 @@
 import { html } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { fixed } from '../view/numbers.ts'
+import { atNow } from './atNow.ts'
 import { icon } from './icons.ts'
 import type { IconName } from './icons.ts'
 import type { LabView } from './labView.ts'
@@ -15,7 +16,9 @@ const speeds = [
 /** Playing, stepping, and the cursor on the time axis with every frame of every runner under it. */
 export function transport({ simulated, playback }: LabView) {
   const { duration } = simulated.state
-  const { time, playing } = playback
+  const { playing } = playback
+  const whole = clock(duration, duration)
+  const shown = atNow(playback, (time) => clock(time, duration))
   return html`<div class="transport">
     <div class="buttons">
       ${button('start', 'To the start (Home)', () => playback.toStart())}
@@ -44,17 +47,21 @@ export function transport({ simulated, playback }: LabView) {
       <input
         type="range"
         aria-label="Time"
-        aria-valuetext="${clock(time, duration)} of ${clock(duration, duration)} seconds"
+        aria-valuetext="${shown} of ${whole} seconds"
         min="0"
         max=${duration}
         step="any"
-        style="--filled: ${duration > 0 ? time / duration : 1}"
-        .value=${live(String(time))}
+        style="--filled: ${atNow(playback, (time) => (duration > 0 ? time / duration : 1))}"
+        .value=${atNow(playback, (time) => live(String(time)))}
         @input=${(event: Event) => playback.seek((event.target as HTMLInputElement).valueAsNumber)}
       />
-      <frame-strip .runners=${simulated.visible} .duration=${duration} .time=${time}></frame-strip>
+      <frame-strip
+        .runners=${simulated.visible}
+        .duration=${duration}
+        .playback=${playback}
+      ></frame-strip>
     </div>
-    <p class="clock"><span>${clock(time, duration)}</span> / ${clock(duration, duration)} s</p>
+    <p class="clock"><span style="min-width: ${whole.length}ch">${shown}</span> / ${whole} s</p>
   </div>`
 }
 

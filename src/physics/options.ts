@@ -14,6 +14,8 @@ export interface NumberOption {
   /** The valid range, both ends included. */
   readonly min: number
   readonly max: number
+  /** What `max` amounts to, in words, where it is as good as no bound. */
+  readonly atMax?: string
   /** Only whole numbers are valid. */
   readonly integer?: boolean
   /** What a slider offers; typing may go beyond, up to what is valid. */

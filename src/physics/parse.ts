@@ -60,7 +60,7 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
 function boundWork({ duration, frames, timestep }: ResolvedExperiment, reader: Reader): void {
   const clock: FrameClock = entry(frameClocks, frames.kind)
   const policy: TimestepPolicy = entry(timesteps, timestep.kind)
-  const frameCount = Math.ceil(clock.frames(frames as never, duration))
+  const frameCount = clock.frames(frames as never, duration)
   const stepCount = policy.steps(timestep as never, duration, frameCount)
   if (frameCount > limits.frames)
     reader.report(

@@ -1,4 +1,5 @@
 import type { Body } from './body.ts'
+import { exactExtent } from './extent.ts'
 import { clamp } from './geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Picture, PictureRunner } from './picture.ts'
@@ -50,9 +51,8 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
       runner,
     }
   })
-  const state = { s: 0, v: 0 }
-  const last = exact(duration, state).s
-  return [...simulated, { ...standing(exact(time, state).s), last, rests: false }]
+  const { last } = exactExtent(exact, duration)
+  return [...simulated, { ...standing(exact(time, { s: 0, v: 0 }).s), last, rests: false }]
 }
 
 /** A block, or a ball, at a place of the track. */

@@ -1,6 +1,6 @@
 import { moved } from './geometry.ts'
 import type { Box, Point } from './geometry.ts'
-import { markPath } from './marks.ts'
+import { markOf } from './marks.ts'
 import type { Spot } from './projection.ts'
 
 /** What slides, or falls: a block, or a ball, that touches the track at a spot. */
@@ -37,19 +37,29 @@ function sag(curvature: number, half: number): number {
   return (half * part) / (1 + Math.sqrt(1 - part * part))
 }
 
-/** Its outline, to fill or to stroke, drawn in by so much. */
-function outlineOf(body: Body, inset = 0): Path2D {
-  const { x, y } = centre(body)
-  const half = body.size / 2 - inset
-  const path = new Path2D()
-  if (body.round) {
-    path.arc(x, y, half, 0, 2 * Math.PI)
-    return path
+/** The outline of a body around the origin, drawn in by so much. */
+const outlines = new Map<string, Path2D>()
+
+function outlineOf({ size, round }: Body, inset: number): Path2D {
+  const half = size / 2 - inset
+  const key = `${half} ${round}`
+  let path = outlines.get(key)
+  if (!path) {
+    path = new Path2D()
+    if (round) path.arc(0, 0, half, 0, 2 * Math.PI)
+    else path.roundRect(-half, -half, 2 * half, 2 * half, 3.5)
+    if (outlines.size > 100) outlines.clear()
+    outlines.set(key, path)
   }
-  const square = new Path2D()
-  square.roundRect(-half, -half, 2 * half, 2 * half, 3.5)
-  path.addPath(square, new DOMMatrix().translate(x, y).rotate((body.spot.turn * 180) / Math.PI))
   return path
+}
+
+/** From here on, until the context is restored, the origin is the body's middle, and it stands upright. */
+function enter(context: CanvasRenderingContext2D, body: Body): void {
+  const { x, y } = centre(body)
+  context.save()
+  context.translate(x, y)
+  if (!body.round) context.rotate(body.spot.turn)
 }
 
 /** Fills it in a runner's colour, with the runner's mark in the middle. */
@@ -58,17 +68,19 @@ export function fillBody(
   body: Body,
   { look, fill, mark }: { look: number; fill: string; mark: string },
 ): void {
-  const { x, y } = centre(body)
-  context.save()
-  context.globalAlpha *= 0.86
-  context.fillStyle = fill
-  context.fill(outlineOf(body))
-  context.restore()
-  context.strokeStyle = fill
+  const { globalAlpha } = context
+  enter(context, body)
+  context.globalAlpha = 0.86 * globalAlpha
+  context.fillStyle = context.strokeStyle = fill
+  context.fill(outlineOf(body, 0))
+  context.globalAlpha = globalAlpha
   context.lineWidth = 1.5
   context.stroke(outlineOf(body, 0.75))
+  // Marks stay upright.
+  if (!body.round) context.rotate(-body.spot.turn)
   context.fillStyle = mark
-  context.fill(markPath(look, x, y, 0.2 * body.size))
+  context.fill(markOf(look, 0.2 * body.size))
+  context.restore()
 }
 
 /** Draws only its outline. */
@@ -79,7 +91,8 @@ export function strokeBody(
 ): void {
   context.strokeStyle = colour
   context.lineWidth = width
+  enter(context, body)
   context.setLineDash(dash)
   context.stroke(outlineOf(body, width / 2))
-  context.setLineDash([])
+  context.restore()
 }

@@ -3,7 +3,7 @@ import { MARK } from './caption.ts'
 import type { Caption } from './caption.ts'
 import { clamp } from './geometry.ts'
 import type { Box, Point } from './geometry.ts'
-import { markPath } from './marks.ts'
+import { markOf } from './marks.ts'
 import type { Palette } from './palette.ts'
 import { write } from './text.ts'
 
@@ -62,12 +62,15 @@ export function drawCaption(
     context.globalAlpha = 1
   }
   if (actor.runner) {
-    const path = markPath(actor.runner.look, left + 5, baseline - 4.5, 4.6)
+    const path = markOf(actor.runner.look, 4.6)
+    context.save()
+    context.translate(left + 5, baseline - 4.5)
     context.strokeStyle = palette.sheet
     context.lineWidth = 3
     context.stroke(path)
     context.fillStyle = fill
     context.fill(path)
+    context.restore()
   }
   context.fillStyle = colour
   write(context, text, left + mark, baseline, { halo: palette.sheet })

@@ -59,9 +59,15 @@ function runExtent(trajectory: Trajectory): Extent {
   return extent
 }
 
-const truths = new WeakMap<ExactMotion, Extent & { duration: number }>()
+/** Where the true motion goes in so long a time, and where it is then [m]. */
+interface Truth extends Extent {
+  readonly duration: number
+  readonly last: number
+}
 
-function exactExtent(exact: ExactMotion, duration: number): Extent {
+const truths = new WeakMap<ExactMotion, Truth>()
+
+export function exactExtent(exact: ExactMotion, duration: number): Truth {
   const known = truths.get(exact)
   if (known?.duration === duration) return known
   const state = { s: 0, v: 0 }
@@ -72,7 +78,7 @@ function exactExtent(exact: ExactMotion, duration: number): Extent {
     if (s < from) from = s
     if (s > to) to = s
   }
-  const extent = { from, to, duration }
+  const extent = { from, to, duration, last: state.s }
   truths.set(exact, extent)
   return extent
 }

@@ -9,7 +9,7 @@ import type { Projection, Spot } from './projection.ts'
 import { widthOf, write } from './text.ts'
 
 /** A figure next to a handle. */
-interface Figure {
+export interface Figure {
   readonly text: string
   /** Where its middle stands. */
   readonly at: Point

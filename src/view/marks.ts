@@ -19,12 +19,27 @@ const marks: readonly ((path: Path2D) => void)[] = [
   },
 ]
 
-/** A mark of a radius around a point. */
+const paths = new Map<string, Path2D>()
+
+/** A mark of a radius around the origin. */
+export function markOf(look: number, radius: number): Path2D {
+  const key = `${look} ${radius}`
+  let path = paths.get(key)
+  if (!path) {
+    if (paths.size > 100) paths.clear()
+    const unit = new Path2D()
+    marks[look % marks.length]!(unit)
+    path = new Path2D()
+    path.addPath(unit, new DOMMatrix([radius, 0, 0, radius, 0, 0]))
+    paths.set(key, path)
+  }
+  return path
+}
+
+/** The same around a point. */
 export function markPath(look: number, x: number, y: number, radius: number): Path2D {
-  const unit = new Path2D()
-  marks[look % marks.length]!(unit)
   const path = new Path2D()
-  path.addPath(unit, new DOMMatrix([radius, 0, 0, radius, x, y]))
+  path.addPath(markOf(look, radius), new DOMMatrix().translate(x, y))
   return path
 }
 

@@ -1,27 +1,25 @@
 import { actorsOf } from './actors.ts'
-import { drawAngle } from './angleArc.ts'
+import { Backdrop } from './backdrop.ts'
 import { strokeBody } from './body.ts'
 import { drawCaptions } from './captions.ts'
 import { dragged } from './drag.ts'
+import { drawFigures, figureBoxes } from './figures.ts'
 import { forceArrows } from './forces.ts'
 import { drawForces } from './forcesDrawing.ts'
-import { drawFigures, figureBoxes, figuresOf } from './figures.ts'
-import { drawGround } from './ground.ts'
-import { drawHandles, handlesOf } from './handles.ts'
 import { around } from './geometry.ts'
+import { drawHandles } from './handles.ts'
 import { held, layOut } from './layout.ts'
 import type { Layout } from './layout.ts'
-import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
 import { PaletteReader } from './palette.ts'
 import type { Palette } from './palette.ts'
+import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
-import { drawPost } from './post.ts'
-import { Projection } from './projection.ts'
-import { drawScaleBar } from './scaleBar.ts'
+import { isSameButTime, settingOf } from './setting.ts'
+import type { Setting } from './setting.ts'
 import { drawRunner } from './signs.ts'
 import { drawSpring } from './spring.ts'
-import { drawGhost, drawPush, startRoom } from './start.ts'
-import { drawStrobe } from './strobe.ts'
+import { drawPush, startRoom } from './start.ts'
+import { forgetWidths } from './text.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
 export class Stage {
@@ -29,24 +27,39 @@ export class Stage {
   frozen = false
 
   private readonly context: CanvasRenderingContext2D
-  private readonly palette: PaletteReader
-  private shown: { picture: Picture; layout: Layout; handles: readonly Handle[] } | undefined
+  private readonly reader: PaletteReader
+  private readonly backdrop = new Backdrop()
+  private palette: Palette | undefined
+  private shown: Setting | undefined
+  /** What the setting shown was made under. */
+  private made: { readonly frozen: boolean; readonly ratio: number } | undefined
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     // A canvas that gives no context is a browser out of memory: nothing can be shown then.
     this.context = canvas.getContext('2d')!
-    this.palette = new PaletteReader(canvas)
+    this.reader = new PaletteReader(canvas)
   }
 
-  /** Draws at the canvas's present CSS size and the window's pixel ratio; cheap enough to call on every pointer move. */
+  /** Draws at the canvas's CSS size and the window's pixel ratio. What only the time has changed is quick to draw. */
   draw(picture: Picture): void {
-    const { clientWidth: width, clientHeight: height } = this.canvas
-    if (width === 0 || height === 0) return
-    this.fitPixels(width, height)
-    const layout = this.layoutOf(picture, width, height)
-    const handles = handlesOf(picture, layout)
-    this.shown = { picture, layout, handles }
-    paint(this.context, picture, layout, handles, this.palette.read())
+    const { frozen, made, shown } = this
+    const ratio = window.devicePixelRatio
+    const isKept = made?.frozen === frozen && made.ratio === ratio
+    if (!isKept || !shown || !isSameButTime(picture, shown.picture)) {
+      const { clientWidth: width, clientHeight: height } = this.canvas
+      if (width === 0 || height === 0) return
+      this.fitPixels(width, height, ratio)
+      this.palette = this.reader.read()
+      this.shown = settingOf(picture, this.layoutOf(picture, width, height))
+      this.made = { frozen, ratio }
+    }
+    paint(this.context, picture, this.shown!, this.palette!, this.backdrop)
+  }
+
+  /** To be called when the canvas's size, the page's colours or its fonts have changed: asking at every frame is slow. */
+  refresh(): void {
+    this.made = undefined
+    forgetWidths()
   }
 
   /** Where the handles stand in the picture drawn last, CSS px. The element puts real, focusable 44 px targets there. */
@@ -69,8 +82,7 @@ export class Stage {
     return still ? held(shown.layout, picture) : layOut(picture, width, height)
   }
 
-  private fitPixels(width: number, height: number): void {
-    const ratio = window.devicePixelRatio
+  private fitPixels(width: number, height: number, ratio: number): void {
     const [columns, rows] = [Math.round(width * ratio), Math.round(height * ratio)]
     // Setting a size clears the canvas and is slow, even where it changes nothing.
     if (this.canvas.width !== columns) this.canvas.width = columns
@@ -83,23 +95,15 @@ export class Stage {
 function paint(
   context: CanvasRenderingContext2D,
   picture: Picture,
-  layout: Layout,
-  handles: readonly Handle[],
+  setting: Setting,
   palette: Palette,
+  backdrop: Backdrop,
 ): void {
-  const { scene, parameters } = picture
-  const projection = new Projection(scene, parameters, layout.camera)
+  const { layout, projection, handles, figures } = setting
+  const { scene, time } = picture
   const actors = actorsOf(picture, layout, projection)
-  context.fillStyle = palette.sheet
-  context.fillRect(0, 0, layout.width, layout.height)
-  if (scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
-  else {
-    drawGround(context, picture, layout, projection, palette)
-    drawScaleBar(context, layout, palette)
-  }
-  if ('angle' in parameters) drawAngle(context, picture, layout, projection, palette)
-  drawStrobe(context, picture, layout, projection, palette)
-  drawGhost(context, picture, layout, projection, palette)
+  backdrop.draw(context, setting, palette, time)
+  context.lineJoin = 'round'
   // With the exact block as the last of them there is always one for the spring to hang on.
   const selected = picture.selected === undefined ? undefined : actors[picture.selected]
   if (scene.id === 'spring')
@@ -111,7 +115,6 @@ function paint(
   const physics = selected && physicsOf(selected, picture, layout, projection)
   if (physics) drawOutline(context, physics, palette)
   drawPush(context, picture, layout, palette)
-  const figures = figuresOf(picture, layout, projection)
   const boxes = figureBoxes(context, figures, layout, palette)
   const room = [...startRoom(picture, layout, projection), ...boxes]
   for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))

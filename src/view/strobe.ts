@@ -34,28 +34,89 @@ export function thin(s: ArrayLike<number>, from: number, to: number, cell: numbe
   return rows
 }
 
-/** Draws every runner's dots in a lane of its own; those of frames still to come are faint. */
-export function drawStrobe(
-  context: CanvasRenderingContext2D,
-  { runners, time, parameters }: Picture,
+/** One runner's dots, in a lane of its own. */
+export interface Lane extends Dots {
+  readonly trajectory: Trajectory
+  readonly radius: number
+  readonly fill: string
+}
+
+/** So many dots of a lane are drawn at once, and then stay. */
+const BATCH = 32
+
+/** A full batch of a lane's dots, which is drawn as soon as its last frame has been shown. */
+export interface Batch {
+  readonly lane: Lane
+  readonly from: number
+  /** The row of its last frame. */
+  readonly last: number
+}
+
+/** The lanes of all runners. */
+export function lanesOf(
+  { runners, parameters }: Picture,
   layout: Layout,
   projection: Projection,
   palette: Palette,
-): void {
-  runners.forEach((runner, lane) => {
+): Lane[] {
+  const key = JSON.stringify(parameters)
+  return runners.map((runner, i) => {
     // Where lanes are close, so large that the next lane's dots are still seen.
     const radius = Math.min(dotRadius(runner.trajectory), 0.56 * layout.lanes.gap)
-    const depth = layout.lanes.first + lane * layout.lanes.gap
-    const dots = dotsOf(runner, depth, radius, layout, projection, JSON.stringify(parameters))
-    const now = rowAt(runner.trajectory, time)
-    let shown = dots.rows.findIndex((row) => row > now)
-    if (shown < 0) shown = dots.rows.length
-    context.fillStyle = palette.runners[runner.look]!.fill
-    fillDots(context, dots, 0, shown, radius)
-    context.globalAlpha = 0.32
-    fillDots(context, dots, shown, dots.rows.length, radius)
-    context.globalAlpha = 1
+    const depth = layout.lanes.first + i * layout.lanes.gap
+    const dots = dotsOf(runner, depth, radius, layout, projection, key)
+    const { fill } = palette.runners[runner.look]!
+    return { ...dots, trajectory: runner.trajectory, radius, fill }
   })
+}
+
+/** All full batches in the order of time: whoever draws them in this order gets the same pixels, at once or by and by. */
+export function batchesOf(lanes: readonly Lane[]): Batch[] {
+  const timeOf = ({ lane, last }: Batch) => lane.trajectory.time[last]!
+  return lanes
+    .flatMap((lane) =>
+      Array.from({ length: Math.floor(lane.rows.length / BATCH) }, (_, i): Batch => {
+        const from = i * BATCH
+        return { lane, from, last: lane.rows[from + BATCH - 1]! }
+      }),
+    )
+    .sort((a, b) => timeOf(a) - timeOf(b))
+}
+
+/** The frames of all times, faint. */
+export function drawFaint(context: CanvasRenderingContext2D, lanes: readonly Lane[]): void {
+  context.globalAlpha = 0.32
+  for (const lane of lanes) fillDots(context, lane, 0, lane.rows.length)
+  context.globalAlpha = 1
+}
+
+export function drawBatch(context: CanvasRenderingContext2D, { lane, from }: Batch): void {
+  fillDots(context, lane, from, from + BATCH)
+}
+
+/** The latest dots of every lane by then: those that don't make up a full batch. */
+export function drawLatest(
+  context: CanvasRenderingContext2D,
+  lanes: readonly Lane[],
+  time: number,
+): void {
+  for (const lane of lanes) {
+    const now = rowAt(lane.trajectory, time)
+    const shown = countUpTo(lane.rows, now)
+    fillDots(context, lane, shown - (shown % BATCH), shown)
+  }
+}
+
+/** How many of the numbers, which are in order, are not above a limit. */
+function countUpTo(numbers: readonly number[], limit: number): number {
+  let low = 0
+  let high = numbers.length
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if (numbers[middle]! <= limit) low = middle + 1
+    else high = middle
+  }
+  return low
 }
 
 /** The rarer the frames, the larger their dots: frame rates are seen at a glance. */
@@ -88,12 +149,12 @@ function dotsOf(
 
 function fillDots(
   context: CanvasRenderingContext2D,
-  { xs, ys }: Dots,
+  { xs, ys, radius, fill }: Lane,
   from: number,
   to: number,
-  radius: number,
 ): void {
   if (from >= to) return
+  context.fillStyle = fill
   context.beginPath()
   // So small a square cannot be told from a disc, and is much quicker to fill.
   const small = radius < 1.8

@@ -2,9 +2,25 @@
 
 export type Align = 'left' | 'center' | 'right'
 
+/** A text as it is set in a font. */
+interface Setting {
+  readonly width: number
+  /** What is drawn in one piece, and how far from the left [px]. */
+  readonly parts: readonly { readonly text: string; readonly x: number }[]
+}
+
+/** By font and text: measuring takes longer than drawing. */
+const settings = new Map<string, Setting>()
+const MOST_SETTINGS = 2000
+
+/** To be called when a font has been loaded: texts may have become wider or narrower. */
+export function forgetWidths(): void {
+  settings.clear()
+}
+
 /** As wide as `write` sets it, in the context's font. */
 export function widthOf(context: CanvasRenderingContext2D, text: string): number {
-  return context.measureText(text.replace(/\d/g, '0')).width
+  return settingOf(context, text).width
 }
 
 /** Writes on the baseline y, in the context's font and fill. With a `halo`, on a rim of that colour. */
@@ -15,7 +31,7 @@ export function write(
   y: number,
   { align = 'left', halo }: { align?: Align; halo?: string } = {},
 ): void {
-  const width = widthOf(context, text)
+  const { width, parts } = settingOf(context, text)
   const left = align === 'left' ? x : align === 'center' ? x - width / 2 : x - width
   context.textAlign = 'left'
   context.textBaseline = 'alphabetic'
@@ -24,29 +40,38 @@ export function write(
     context.strokeStyle = halo
     context.lineWidth = 4
     context.lineJoin = 'round'
-    each(context, text, left, (part, at) => context.strokeText(part, at, y))
+    for (const part of parts) context.strokeText(part.text, left + part.x, y)
     context.restore()
   }
-  each(context, text, left, (part, at) => context.fillText(part, at, y))
+  for (const part of parts) context.fillText(part.text, left + part.x, y)
 }
 
-function each(
-  context: CanvasRenderingContext2D,
-  text: string,
-  left: number,
-  draw: (part: string, x: number) => void,
-): void {
-  const digit = context.measureText('0').width
-  let x = left
-  for (const part of text.split(/(\d)/)) {
-    if (!part) continue
-    const width = context.measureText(part).width
-    if (/^\d$/.test(part)) {
-      draw(part, x + (digit - width) / 2)
-      x += digit
-    } else {
-      draw(part, x)
-      x += width
-    }
+function settingOf(context: CanvasRenderingContext2D, text: string): Setting {
+  const key = `${context.font} ${text}`
+  let setting = settings.get(key)
+  if (!setting) {
+    if (settings.size >= MOST_SETTINGS) settings.clear()
+    settings.set(key, (setting = set(context, text)))
+  }
+  return setting
+}
+
+function set(context: CanvasRenderingContext2D, text: string): Setting {
+  const measured = (part: string) => context.measureText(part).width
+  const width = measured(text.replace(/\d/g, '0'))
+  // A font whose digits are all as wide does it by itself.
+  if (measured(text) === width) return { width, parts: [{ text, x: 0 }] }
+  const digit = measured('0')
+  let x = 0
+  const parts = text.split(/(\d)/).filter(Boolean)
+  return {
+    width,
+    parts: parts.map((part) => {
+      const wide = measured(part)
+      const isDigit = /^\d$/.test(part)
+      const at = isDigit ? x + (digit - wide) / 2 : x
+      x += isDigit ? digit : wide
+      return { text: part, x: at }
+    }),
   }
 }

@@ -22,8 +22,16 @@ export interface End {
   readonly time: number
 }
 
+const ends = new WeakMap<Trajectory, { end: End | undefined }>()
+
 /** How a run ended, if it did. Its outcome tells the time of the physics clock, which need not be that of the wall. */
-export function endOf({ outcome, stateTime, time }: Trajectory): End | undefined {
+export function endOf(trajectory: Trajectory): End | undefined {
+  let known = ends.get(trajectory)
+  if (!known) ends.set(trajectory, (known = { end: findEnd(trajectory) }))
+  return known.end
+}
+
+function findEnd({ outcome, stateTime, time }: Trajectory): End | undefined {
   const { kind } = outcome
   if (kind === 'moving') return undefined
   const found = stateTime.findIndex((t) => t >= outcome.time - 1e-12)

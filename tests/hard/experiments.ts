@@ -69,7 +69,7 @@ function value(option: Option, draw: Draw): Arbitrary<unknown> {
 }
 
 /** A value for every option. */
-export function values(options: Options, draw: Draw): Arbitrary<Record<string, unknown>> {
+function values(options: Options, draw: Draw): Arbitrary<Record<string, unknown>> {
   return fc.record(
     Object.fromEntries(Object.entries(options).map(([key, option]) => [key, value(option, draw)])),
   )
@@ -85,7 +85,7 @@ export function choice(list: readonly Entry[], draw: Draw): Arbitrary<{ kind: st
 }
 
 /** A scene's parameters, all of them, that go together. */
-export function parametersOf(scene: Scene, draw: Draw): Arbitrary<Record<string, number>> {
+function parametersOf(scene: Scene, draw: Draw): Arbitrary<Record<string, number>> {
   return values(scene.parameters, draw).map((drawn) => {
     const parameters = drawn as Record<string, number>
     for (;;) {
@@ -151,5 +151,9 @@ export function work({ frames, timestep, duration }: ResolvedExperiment) {
 function affordable(experiment: ResolvedExperiment): ResolvedExperiment {
   const { frames, steps } = work(experiment)
   const excess = Math.max(1, frames / MOST_FRAMES, steps / MOST_STEPS)
-  return { ...experiment, duration: experiment.duration / excess }
+  let { duration } = experiment
+  duration /= excess
+  // A clock's count of frames may begin high, and steps with it, which only a shorter run's own length bounds.
+  while (work({ ...experiment, duration }).steps > 100 * MOST_STEPS) duration /= 2
+  return { ...experiment, duration }
 }

@@ -35,9 +35,8 @@ describe('13 denormal and huge speeds and positions', () => {
               const run = simulate(experiment as Experiment)
               for (const column of [run.s, run.v, run.drawnS, run.heat])
                 expect(column.every(Number.isFinite), JSON.stringify(experiment)).toBe(true)
-              expect(run.outcome.kind === 'diverged' ? 'spring run-out' : scene.id).toContain(
-                scene.id,
-              )
+              // A bend that is crossed a hundred million times in a step is not resolved; all else is.
+              if (scene.id !== 'run-out') expect(run.outcome.kind).not.toBe('diverged')
             }
   })
 
@@ -103,6 +102,34 @@ describe('13 denormal and huge speeds and positions', () => {
         expect(simulate({ ...having(spring, { speed }), integrator: id }).outcome.kind).not.toBe(
           'diverged',
         )
+  })
+
+  it('a run of no more than the smallest time makes no heat that is not a number', () => {
+    // Ten such units of time: the instant of the stop inside them is 0.
+    const run = simulate({
+      scene: 'half-pipe',
+      parameters: {
+        radius: 1.390883,
+        muKinetic: 0.5,
+        muStatic: 0.5,
+        position: 1e-108,
+        speed: -5e-324,
+      },
+      integrator: 'rk4',
+      duration: 4.4e-323,
+    })
+    expect(run.heat.every((heat) => heat === 0)).toBe(true)
+  })
+
+  it('a step that jumps more often than any motion is given up, and called diverged', () => {
+    // Air so thick that the ball turns within a ten-millionth of a second, in steps of 1/60 s.
+    for (const integrator of ['velocity-verlet', 'midpoint', 'rk4'] as const) {
+      const run = simulate({ scene: 'fall', parameters: { mass: 1e-9, drag: 1 }, integrator })
+      expect(run.outcome.kind).toBe('diverged')
+      expect(run.frames).toBe(1)
+      // A hundred jumps, each found in less than a hundred tries.
+      expect(run.evaluations).toBeLessThan(100 * 100 * 4)
+    }
   })
 
   it.each(secondOrder)('$id: at 1e9 m and 1e9 m/s it is off by ulps', ({ id }) => {

@@ -140,6 +140,10 @@ describe('parseExperiment', () => {
       'frames.durations[2]': '-1 is not in 0.00001…60',
     })
     expect(recorded('0.01')['frames.durations']).toBe('"0.01" is not a list of numbers')
+    // A hole in a list is undefined.
+    expect(recorded(Object.assign(new Array<number>(2), { 1: 0.01 }))).toEqual({
+      'frames.durations[0]': 'undefined is not a number',
+    })
   })
 
   it('shows what was given in a few words, however long it is', () => {

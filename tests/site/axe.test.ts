@@ -1,11 +1,58 @@
 import { AxeBuilder } from '@axe-core/playwright'
-import { expect, test } from 'vitest'
+import type { Page } from 'playwright-core'
+import { describe, expect, test } from 'vitest'
 import { openPage } from './page.ts'
 
-test.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', async (colorScheme) => {
-  const { page } = await openPage({ colorScheme })
+/** What axe finds wrong, with the elements. */
+async function violationsOn(page: Page): Promise<unknown[]> {
   const { violations } = await new AxeBuilder({ page }).analyze()
-  expect(
-    violations.map(({ id, help, nodes }) => [id, help, ...nodes.map((node) => node.html)]),
-  ).toEqual([])
+  return violations.map(({ id, help, nodes }) => [id, help, ...nodes.map((node) => node.html)])
+}
+
+/** Every runner that there is room for, of every clock and timestep, one of them hidden. */
+const RUNNERS = [
+  ...['10', '30/fixed(step:1/60)/clamped', 'jitter(fps:30,amount:0.5,seed:1)/capped(cap:1/30)'],
+  ...['hitch(fps:60,every:0.5,length:0.2)/substeps(step:1/60)', 'missed-vsync(fps:60,seed:1)/rk4'],
+  ...['60/per-frame(step:1/60)/naive', '120/hidden', 'recorded(durations:0.02+0.03)'],
+].join(';')
+
+async function openEverything(page: Page): Promise<void> {
+  await page.locator('lab-plots').scrollIntoViewIfNeeded()
+  await page.locator('lab-plots .u-over').first().waitFor()
+  await page.getByRole('checkbox', { name: 'Show forces' }).check()
+  await page
+    .locator('record-frames')
+    .evaluate((recorder) => ((recorder as unknown as { length: number }).length = 0.3))
+  await page.getByRole('button', { name: 'Record my frames' }).click()
+  await page.getByRole('button', { name: 'Record again' }).waitFor()
+  for (const summary of await page.locator('slide-lab summary').all())
+    if (await summary.isVisible()) await summary.click()
+  await page.locator('lab-plots table').first().waitFor()
+}
+
+describe.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', (colorScheme) => {
+  test('at the start', async () => {
+    const { page } = await openPage({ colorScheme })
+    expect(await violationsOn(page)).toEqual([])
+  })
+
+  test.each([1280, 390])('at %d px with everything open', async (width) => {
+    const { page, problems } = await openPage({ path: `#runners=${RUNNERS}`, width, colorScheme })
+    await openEverything(page)
+    await page.getByRole('button', { name: 'Share' }).click()
+    expect(await violationsOn(page)).toEqual([])
+    await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 1 })
+    await page.getByRole('textbox', { name: 'Angle' }).fill('steep')
+    await page.keyboard.press('Enter')
+    await page.getByRole('alert').waitFor()
+    expect(await page.locator('.preset-note').innerText()).not.toBe('')
+    expect(await violationsOn(page)).toEqual([])
+    expect(problems).toEqual([])
+  })
+
+  test('over what a bad link says', async () => {
+    const { page } = await openPage({ path: '#angle=abc&foo=1', width: 390, colorScheme })
+    await page.getByRole('alert').waitFor()
+    expect(await violationsOn(page)).toEqual([])
+  })
 })

@@ -110,6 +110,8 @@ test('is asked for only while it is open, now and then while it plays, and exact
   await page.getByRole('button', { name: 'To the start' }).click()
   const changes = await page.evaluate(async () => {
     const watched = document.querySelector('step-inspector')!
+    // What can't be seen does not follow.
+    watched.querySelector('summary')!.scrollIntoView()
     const seen = new Set<string>()
     const observer = new MutationObserver(() =>
       seen.add(watched.querySelector('.stepper span')!.textContent),

@@ -47,6 +47,7 @@ describe('a runner', () => {
             : name === 'fps' || option.integer
               ? ['20', 20]
               : ['0.5', 0.5]
+        if (option.type === 'list') await runner(0).locator('.times summary').click()
         await runner(0).getByRole('textbox', its).fill(typed)
         await runner(0).getByRole('textbox', its).press('Enter')
         expect((await state()).runners[0]![key]).toMatchObject({ [name]: value })
@@ -93,6 +94,7 @@ describe('a runner', () => {
 
   test('refuses frame times that are none, and says why', async () => {
     const { state, runner, page } = await openLab('runners=recorded(durations:0.02)')
+    await runner(0).getByText('1 frame').click()
     await runner(0).getByRole('textbox', { name: 'Frame times' }).fill('0.02 soon')
     await page.keyboard.press('Enter')
     expect(await runner(0).getByRole('alert').innerText()).toBe('"soon" is not a number')

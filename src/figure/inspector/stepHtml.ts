@@ -77,7 +77,11 @@ function looks({ evaluations, reused, slip }: TriedStep, experiment: ResolvedExp
     ? `, slip direction ${slip === 0 ? 'by the sign of each v' : slip < 0 ? '−1' : '+1'}`
     : ''
   const first = reused === undefined ? 1 : 2
+  const legend = rubs
+    ? 'drive: gravity and spring along the track. press: what presses the block to it. Both for each kilogram.'
+    : 'drive: all that acts along the track, for each kilogram.'
   return html`<h3>Looks at the forces${direction}</h3>
+    <p class="legend">${legend}</p>
     <div class="lines">
       ${
         reused === undefined

@@ -2,6 +2,7 @@ import { html, LitElement, nothing } from 'lit'
 import { traceFrame } from '../../physics/index.ts'
 import type { Experiment, PolicyStep } from '../../physics/index.ts'
 import { endOf, rowAt } from '../../view/timeline.ts'
+import { atNow } from '../atNow.ts'
 import type { LabView } from '../labView.ts'
 import type { SimulatedRunner } from '../simulation.ts'
 import { frameLength, policyWords } from './policyWords.ts'
@@ -27,7 +28,7 @@ export function stepInspector(lab: LabView) {
   return html`<step-inspector
     .lab=${lab}
     .runner=${runner}
-    .row=${rowAt(runner.trajectory, playback.time)}
+    .row=${atNow(playback, (time) => rowAt(runner.trajectory, time))}
     .playing=${playback.playing}
   ></step-inspector>`
 }

@@ -14,16 +14,19 @@ interface Stepper {
 
 /** “Step 3 of 6” between buttons to the first, the one before, the next and the last. */
 export function stepper({ what, from, to, at, go }: Stepper) {
-  const button = (name: IconName, label: string, there: number) =>
-    html`<button
+  const button = (name: IconName, label: string, there: number) => {
+    const isOff = there < from || there > to || there === at
+    // Off for who uses it, not for the browser, which would take the focus away.
+    return html`<button
       type="button"
       title=${label}
       aria-label="${label}, inside this step"
-      ?disabled=${there < from || there > to || there === at}
-      @click=${() => go(there)}
+      aria-disabled=${isOff}
+      @click=${() => isOff || go(there)}
     >
       ${icon(name)}
     </button>`
+  }
   const name = what[0]!.toUpperCase() + what.slice(1)
   return html`<div class="stepper" role="group" aria-label="${name}s">
     ${button('start', `First ${what}`, from)} ${button('back', `Previous ${what}`, at - 1)}

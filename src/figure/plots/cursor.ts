@@ -1,5 +1,5 @@
 import type { Box, Point } from '../../view/geometry.ts'
-import { markPath } from '../../view/marks.ts'
+import { markOf } from '../../view/marks.ts'
 import type { Palette } from '../../view/palette.ts'
 import { EXACT } from './curves.ts'
 import type { Drawing } from './curves.ts'
@@ -46,9 +46,11 @@ export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette:
     pen.lineWidth = 3
     pen.strokeStyle = palette.sheet
     pen.fillStyle = look === EXACT ? palette.ink : palette.runners[look]!.fill
-    const mark = look === EXACT ? disc(spot) : markPath(look, spot.x, spot.y, 5.5)
+    const mark = look === EXACT ? disc() : markOf(look, 5.5)
+    pen.translate(spot.x, spot.y)
     pen.stroke(mark)
     pen.fill(mark)
+    pen.translate(-spot.x, -spot.y)
   }
   pen.restore()
 }
@@ -104,8 +106,8 @@ function drawLine(
   pen.stroke()
 }
 
-function disc({ x, y }: Point): Path2D {
+function disc(): Path2D {
   const path = new Path2D()
-  path.arc(x, y, 3, 0, 2 * Math.PI)
+  path.arc(0, 0, 3, 0, 2 * Math.PI)
   return path
 }

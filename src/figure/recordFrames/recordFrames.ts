@@ -7,7 +7,7 @@ import { durationsOf } from './durations.ts'
 import { histogram } from './histogram.ts'
 import { animationFrames, record } from './recording.ts'
 import type { FrameSource } from './recording.ts'
-import { summarize } from './summary.ts'
+import { summarize, summaryText } from './summary.ts'
 
 /** How often the progress is shown [s]: the recorder must not be what slows the frames down. */
 const PROGRESS = 0.1
@@ -38,6 +38,7 @@ export class RecordFrames extends LitElement {
   declare private durations: readonly number[]
   declare private message: string
   private cancel = () => {}
+  private hadFocus = false
 
   constructor() {
     super()
@@ -47,6 +48,16 @@ export class RecordFrames extends LitElement {
 
   override createRenderRoot(): this {
     return this
+  }
+
+  override willUpdate(): void {
+    this.hadFocus = this.contains(document.activeElement)
+  }
+
+  override updated(): void {
+    // The button that was pressed may be gone or off, and must not take the focus with it.
+    if (this.hadFocus && !this.querySelector(':focus:enabled'))
+      this.querySelector('button')!.focus()
   }
 
   override disconnectedCallback(): void {
@@ -115,12 +126,10 @@ export class RecordFrames extends LitElement {
   }
 
   private sample(durations: readonly number[]) {
-    const { frames, total, median, most, longest, rate } = summarize(durations)
-    const ms = (seconds: number) => `${fixed(seconds * 1000, 1)} ms`
-    const about = `${frames} frames in ${fixed(total, 1)} s, about ${Math.round(rate)} Hz: median ${ms(median)}, 99 % within ${ms(most)}, longest ${ms(longest)}.`
+    const about = summaryText(durations)
     return html`<div class="sample">
       <p>${about}</p>
-      ${histogram(binsOf(durations, median), `Histogram of frame times: ${about}`)}
+      ${histogram(binsOf(durations, summarize(durations).median), `Histogram of frame times: ${about}`)}
       <p class="small">
         Browsers round the times they tell, some to 0.1 ms and some to 1 ms; here they are rounded
         to 0.1 ms.

@@ -1,3 +1,5 @@
+import { fixed } from '../../view/numbers.ts'
+
 /** What a list of frame times is like; times in seconds. */
 export interface Summary {
   readonly frames: number
@@ -23,6 +25,13 @@ export function summarize(durations: readonly number[]): Summary {
     longest: quantile(1),
     rate: usual.length / sum(usual),
   }
+}
+
+/** The same in a sentence. */
+export function summaryText(durations: readonly number[]): string {
+  const { frames, total, median, most, longest, rate } = summarize(durations)
+  const ms = (seconds: number) => `${fixed(seconds * 1000, 1)} ms`
+  return `${frames} frames in ${fixed(total, 1)} s, about ${Math.round(rate)} Hz: median ${ms(median)}, 99 % within ${ms(most)}, longest ${ms(longest)}.`
 }
 
 function sum(list: readonly number[]): number {

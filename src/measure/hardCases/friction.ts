@@ -34,8 +34,6 @@ export const friction: readonly HardCase[] = [
     group: 1,
     label: 'Stops on the flat, and stays',
     watch: 'All three stop at the same place at the same instant, in the middle of a frame.',
-    claim:
-      'With located stops every method of second order is exact to rounding at any frame rate; naive stops never rest.',
     experiments: atRates(flat),
   },
   {
@@ -43,8 +41,6 @@ export const friction: readonly HardCase[] = [
     group: 1,
     label: 'Stops uphill, and stays',
     watch: 'The three rules stop at three places, and the naive one trembles there for ever.',
-    claim:
-      'With located stops every method of second order is exact to rounding; clamped ones rest, but up to a frame off.',
     experiments: byRules({ ...uphill, frames: { kind: 'steady', fps: 10 } }),
   },
   {
@@ -52,7 +48,6 @@ export const friction: readonly HardCase[] = [
     group: 2,
     label: 'Stops uphill and comes back',
     watch: 'The instant of the turn lies inside a frame, and friction changes sides there.',
-    claim: 'With located stops every method of second order is exact to rounding through the turn.',
     experiments: atRates({
       scene: 'ramp',
       parameters: { angle: 35, muStatic: 0.3, muKinetic: 0.3, speed: -5 },
@@ -65,7 +60,6 @@ export const friction: readonly HardCase[] = [
     label: 'Steep enough to slide, not to set off',
     watch:
       'Put down it stays, pushed downhill it never stops, and pushed uphill it stops once and stays.',
-    claim: 'Static friction decides at v = 0 and nowhere else.',
     experiments: [0, 1, -1].map((speed) => ({
       scene: 'ramp',
       parameters: { ...between, speed },
@@ -78,7 +72,6 @@ export const friction: readonly HardCase[] = [
     label: 'The edge of holding, for an hour',
     watch:
       'One is held for ever, the other, with friction less by 2 parts in 10¹², creeps 0.03 mm.',
-    claim: 'tan α ≤ μs stays to the bit for an hour; tan α above it by 1e-12 slides as it should.',
     experiments: [edge(TAN_30 * (1 + 1e-12)), edge(TAN_30 * (1 - 1e-12))],
   },
   {
@@ -86,8 +79,6 @@ export const friction: readonly HardCase[] = [
     group: 5,
     label: 'Friction of 1000, frames of a second',
     watch: 'The block should stop within 1.4 mm: naive friction throws it kilometres away instead.',
-    claim:
-      'With located stops every method of second order is exact to rounding; clamped ones stop within the frame.',
     experiments: byRules(glue),
   },
   {
@@ -95,7 +86,6 @@ export const friction: readonly HardCase[] = [
     group: 6,
     label: 'A vertical ramp',
     watch: 'Nothing presses the block to the wall, so friction does nothing and makes no heat.',
-    claim: 'It falls like the ball, and the heat is exactly 0.',
     experiments: [
       {
         scene: 'ramp',
@@ -111,7 +101,6 @@ export const friction: readonly HardCase[] = [
     label: 'A level ramp without friction',
     watch:
       'Nothing acts along it: at rest it stays, and moving it keeps its speed to the last bit.',
-    claim: 'v never changes by a bit.',
     experiments: [0, 3].map((speed) => ({
       scene: 'ramp',
       parameters: { angle: 0, muStatic: 0, muKinetic: 0, speed },

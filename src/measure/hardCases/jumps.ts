@@ -19,7 +19,6 @@ export const jumps: readonly HardCase[] = [
     group: 14,
     label: 'A joint and a stop in one step',
     watch: 'A frame of a second holds both ends of the bend and the stop on the flat behind it.',
-    claim: 'All of them are found inside the one step, and the block rests.',
     experiments: [1, 10, 100].map((fps) => ({
       scene: 'run-out',
       parameters: hill,
@@ -33,8 +32,6 @@ export const jumps: readonly HardCase[] = [
     group: 14,
     label: 'Two joints at one place, and a stop',
     watch: 'A bend of no angle has both its ends at one place: passing it changes nothing.',
-    claim:
-      'Located methods of second order are exact to rounding through both joints and the stop.',
     experiments: [1, 60].map((fps) => ({
       scene: 'run-out',
       parameters: { ...level, length: 2.4 },
@@ -48,7 +45,6 @@ export const jumps: readonly HardCase[] = [
     label: 'A stop exactly at a frame’s end',
     watch:
       'The last frame ends with v = 0 to the bit: the block rests from there, neither a frame late nor for a moment only.',
-    claim: 'It rests at 1 s after 2.5 m, to rounding.',
     experiments: [10, 64].map((fps) => ({
       scene: 'ramp',
       parameters: level,
@@ -61,7 +57,6 @@ export const jumps: readonly HardCase[] = [
     group: 15,
     label: 'A stop exactly at a joint',
     watch: 'The slope ends where the block does: it stays there, on one side or the other.',
-    claim: 'It rests within a few ulps of the joint, and does not creep.',
     experiments: [5, 60].map((fps) => ({
       scene: 'run-out',
       parameters: {
@@ -80,7 +75,6 @@ export const jumps: readonly HardCase[] = [
     group: 15,
     label: 'A joint exactly at a frame’s end',
     watch: 'A frame ends where the slope does: the next begins on the bend.',
-    claim: 'A block without friction on the level crosses both joints without a trace.',
     experiments: [
       {
         scene: 'run-out',

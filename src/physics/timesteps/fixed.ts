@@ -10,6 +10,7 @@ const maxSteps = {
   unit: '',
   min: 1,
   max: MOST_STEPS_A_FRAME,
+  atMax: 'no limit',
   integer: true,
   slider: { from: 1, to: 60, step: 1 },
   initial: MOST_STEPS_A_FRAME,

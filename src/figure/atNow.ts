@@ -1,0 +1,48 @@
+import { AsyncDirective, directive } from 'lit/async-directive.js'
+import type { AttributePart, ChildPart, PropertyPart } from 'lit'
+import type { Playback } from './playback.ts'
+
+/** One place in a template whose value follows the cursor on time, without anything else being rendered. */
+class AtNow extends AsyncDirective {
+  private playback: Playback | undefined
+  private of: ((time: number) => unknown) | undefined
+  private shown: unknown
+  private element: Element | undefined
+  private stop: (() => void) | undefined
+
+  override render(playback: Playback, of: (time: number) => unknown): unknown {
+    return of(playback.time)
+  }
+
+  override update(
+    part: AttributePart | ChildPart | PropertyPart,
+    [playback, of]: Parameters<this['render']>,
+  ): unknown {
+    this.element = 'element' in part ? part.element : (part.parentNode as Element)
+    this.of = of
+    if (playback !== this.playback) {
+      this.disconnected()
+      this.playback = playback
+      if (this.isConnected) this.reconnected()
+    }
+    return (this.shown = this.render(playback, of))
+  }
+
+  protected override reconnected(): void {
+    this.stop = this.playback!.watch(this.element!, 'write', this.follow)
+  }
+
+  protected override disconnected(): void {
+    this.stop?.()
+  }
+
+  private readonly follow = (): void => {
+    const value = this.of!(this.playback!.time)
+    if (value === this.shown) return
+    this.shown = value
+    this.setValue(value)
+  }
+}
+
+/** What a function makes of the instant that a playback shows [s], always up to date while it can be seen. */
+export const atNow = directive(AtNow)

@@ -1,0 +1,70 @@
+import { drawAngle } from './angleArc.ts'
+import { drawGround } from './ground.ts'
+import type { Palette } from './palette.ts'
+import { drawPost } from './post.ts'
+import { drawScaleBar } from './scaleBar.ts'
+import type { Setting } from './setting.ts'
+import { drawGhost } from './start.ts'
+import { batchesOf, drawBatch, drawFaint, drawLatest, lanesOf } from './strobe.ts'
+import type { Batch, Lane } from './strobe.ts'
+import { rowAt } from './timeline.ts'
+
+/**
+ * What stands behind the blocks, on a canvas that is kept: the track, and the dots of the frames shown so far. While
+ * time goes forward only new dots are added to it.
+ */
+export class Backdrop {
+  private readonly canvas = document.createElement('canvas')
+  private readonly context = this.canvas.getContext('2d', { alpha: false })!
+  private setting: Setting | undefined
+  private lanes: readonly Lane[] = []
+  private batches: readonly Batch[] = []
+  /** How many of the batches have been drawn. */
+  private drawn = 0
+
+  /** Draws it as it is at a time, over all of a context's canvas. */
+  draw(target: CanvasRenderingContext2D, setting: Setting, palette: Palette, time: number): void {
+    const last = this.batches[this.drawn - 1]
+    if (setting !== this.setting) {
+      this.setting = setting
+      this.lanes = lanesOf(setting.picture, setting.layout, setting.projection, palette)
+      this.batches = batchesOf(this.lanes)
+      this.clear(target, setting, palette)
+    } else if (last && !isShown(last, time)) this.clear(target, setting, palette)
+    for (let next; (next = this.batches[this.drawn]) && isShown(next, time); this.drawn++)
+      drawBatch(this.context, next)
+    target.save()
+    target.resetTransform()
+    target.drawImage(this.canvas, 0, 0)
+    target.restore()
+    drawLatest(target, this.lanes, time)
+  }
+
+  /** Draws all that is there before the first frame. */
+  private clear(
+    target: CanvasRenderingContext2D,
+    { picture, layout, projection }: Setting,
+    palette: Palette,
+  ): void {
+    const { canvas, context } = this
+    const { width, height } = target.canvas
+    if (canvas.width !== width) canvas.width = width
+    if (canvas.height !== height) canvas.height = height
+    context.setTransform(target.getTransform())
+    this.drawn = 0
+    context.fillStyle = palette.sheet
+    context.fillRect(0, 0, layout.width, layout.height)
+    if (picture.scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
+    else {
+      drawGround(context, picture, layout, projection, palette)
+      drawScaleBar(context, layout, palette)
+    }
+    if ('angle' in picture.parameters) drawAngle(context, picture, layout, projection, palette)
+    drawFaint(context, this.lanes)
+    drawGhost(context, picture, layout, projection, palette)
+  }
+}
+
+function isShown({ lane: { trajectory }, last }: Batch, time: number): boolean {
+  return last <= rowAt(trajectory, time)
+}

@@ -1,0 +1,35 @@
+import { figuresOf } from './figures.ts'
+import type { Figure } from './figures.ts'
+import { handlesOf } from './handles.ts'
+import type { Layout } from './layout.ts'
+import type { Handle, Picture } from './picture.ts'
+import { Projection } from './projection.ts'
+
+/** All of a picture that is the same at every time. */
+export interface Setting {
+  readonly picture: Picture
+  readonly layout: Layout
+  readonly projection: Projection
+  readonly handles: readonly Handle[]
+  readonly figures: readonly Figure[]
+}
+
+export function settingOf(picture: Picture, layout: Layout): Setting {
+  const projection = new Projection(picture.scene, picture.parameters, layout.camera)
+  const handles = handlesOf(picture, layout)
+  return { picture, layout, projection, handles, figures: figuresOf(picture, layout, projection) }
+}
+
+/** Whether two pictures differ in nothing but the time and what follows from it. */
+export function isSameButTime(a: Picture, b: Picture): boolean {
+  return (
+    a.scene === b.scene &&
+    a.parameters === b.parameters &&
+    a.duration === b.duration &&
+    a.runners === b.runners &&
+    a.exact === b.exact &&
+    !a.forces === !b.forces &&
+    a.held === b.held &&
+    a.lit === b.lit
+  )
+}
