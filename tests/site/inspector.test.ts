@@ -9,6 +9,8 @@ async function openInspector(...options: Parameters<typeof openLab>) {
   const lab = await openLab(...options)
   const inspector = lab.page.locator('step-inspector')
   await inspector.locator('summary').click()
+  // What it tells is made once the browser has said that it is open, a moment after the click.
+  await inspector.locator('.stepper').first().waitFor()
   const button = (name: string) => inspector.getByRole('button', { name, exact: true })
   return {
     ...lab,

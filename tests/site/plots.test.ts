@@ -215,6 +215,7 @@ test('a table is made when it is opened, follows changes, and scrolls inside its
   expect(await page.locator('lab-plots table').count()).toBe(0)
   await lab.plot('position').locator('summary').click()
   const table = lab.plot('position').getByRole('table')
+  await table.waitFor()
   expect(await table.getByRole('columnheader').allInnerTexts()).toEqual([
     'time (s)',
     '10 fps, position (m)',
