@@ -6,10 +6,9 @@ import { hardCase, largest, last, methods } from './support.ts'
 
 const STEP = 1 / 60
 
-/** The case's own run with each method; each case has one for every method. */
+/** The case's own run with each method that it shows; a case has room for eight. */
 function runsOf(id: string): { id: IntegratorId; experiment: Experiment }[] {
   const { experiments } = hardCase(id)
-  expect(experiments.map(({ integrator }) => integrator)).toEqual(methods.map((each) => each.id))
   return experiments.map((experiment) => ({ id: experiment.integrator!, experiment }))
 }
 
@@ -87,7 +86,7 @@ describe('9 a half-pipe from 89°, for 10 000 s at 60 fps', () => {
 })
 
 /** The modulus by which a step of a method multiplies the growing part of a swing, by its matrix at that z = ωΔt. */
-const growths: Record<IntegratorId, (z: number) => number> = {
+const growths: Partial<Record<IntegratorId, (z: number) => number>> = {
   'explicit-euler': (z) => Math.sqrt(1 + z * z),
   'semi-implicit-euler': (z) => fromTrace(2 - z * z),
   'velocity-verlet': (z) => fromTrace(2 - z * z),
@@ -137,7 +136,7 @@ describe.each([
 
   it.each(runsOf(id))('$id: bounded, or diverged when the theory says so', (each) => {
     const run = simulate(each.experiment)
-    const growth = growths[each.id](z)
+    const growth = growths[each.id]!(z)
     if (growth > 1 + 1e-9) {
       expect(run.outcome.kind).toBe('diverged')
       // A run has diverged at 1000 times the fastest that it could be, ω · 1 m. Of the growing part there is some tenth to

@@ -47,6 +47,7 @@ describe.skipIf(counted)('a step allocates nothing', () => {
     { scene: 'fall', integrator: 'midpoint', parameters: { drag: 0.1 } },
     { scene: 'run-out', integrator: 'semi-implicit-euler', stopping: 'clamped' },
     { scene: 'ramp', integrator: 'explicit-euler', stopping: 'naive' },
+    ...integrators.map(({ id }) => ({ scene: 'ramp', integrator: id }) as const),
   ]
 
   // One boxed number a step, of 12 to 16 bytes, would take more than 12 MB: a hundred times what is allowed here for
