@@ -4,7 +4,13 @@ import { lengthText } from './errorText.ts'
 import type { LabView } from './labView.ts'
 
 /** The number that it is all about: how far apart the frame rates end. */
-export function spreadFigure({ simulated: { spread } }: LabView) {
+export function spreadFigure({ simulated: { spread, visible } }: LabView) {
+  // One block alone is apart from nothing.
+  if (visible.length < 2)
+    return html`<p class="spread">
+      <span>frame-rate spread</span>
+      <output title="It takes two visible runners to be apart.">–</output>
+    </p>`
   const [figure, remark] = lengthText(spread).split(/ (?=\()/)
   return html`<p class="spread">
     <span>frame-rate spread</span>

@@ -126,3 +126,9 @@ async function violations(page: Page): Promise<string[][]> {
   const { violations } = await new AxeBuilder({ page }).analyze()
   return violations.map(({ id, help, nodes }) => [id, help, ...nodes.map((node) => node.html)])
 }
+
+test('one block alone is apart from nothing: the spread is a dash, not a promise', async () => {
+  const { spread, problems } = await openLab('runners=10/semi-implicit-euler/clamped')
+  expect(await spread()).toBe('–')
+  expect(problems).toEqual([])
+})
