@@ -26,14 +26,26 @@ export function writeAddress(state: LabState): string {
   return fields.join('&')
 }
 
+/** More than the longest link that a browser or a chat lets through; reading as much takes a moment [characters]. */
+const LONGEST = 50_000
+
 /**
  * The state that the part of an address after `#` stands for; an empty one is the opening.
  *
  * @throws ExperimentError that lists every problem
  */
 export function readAddress(address: string): LabState {
+  const { length } = address
+  if (length > LONGEST) {
+    const message = `has ${length} characters, more than the ${LONGEST} that are read`
+    throw new ExperimentError([{ path: 'address', message }])
+  }
   const problems: Problem[] = []
-  const fields = new Map(address.split('&').filter(Boolean).map(field))
+  const fields = new Map<string, string>()
+  for (const [key, text] of address.split('&').filter(Boolean).map(field)) {
+    if (fields.has(key)) problems.push({ path: key.slice(0, 40), message: 'stands there twice' })
+    fields.set(key, text)
+  }
   const id = fields.get('scene') ?? opening.scene
   const start = scenes.some((scene) => scene.id === id) ? openingOf(id as SceneId) : opening
   const given = [...fields].filter(([key]) => !['scene', 'duration', 'runners'].includes(key))

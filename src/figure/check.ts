@@ -30,9 +30,12 @@ export function experimentOf(state: LabState, runner: RunnerState): Experiment {
  */
 export function checked(draft: Draft): LabState {
   const problems: Problem[] = []
+  const told = new Set<string>()
   const report = (path: string, message: string) => {
-    if (!problems.some((each) => each.path === path && each.message === message))
-      problems.push({ path, message })
+    // What the runners share is wrong for each of them, and told once.
+    const whole = `${path}: ${message}`
+    if (!told.has(whole)) problems.push({ path, message })
+    told.add(whole)
   }
   const { length } = draft.runners
   if (length < 1 || length > MOST_RUNNERS)

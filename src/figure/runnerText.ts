@@ -1,5 +1,6 @@
 import { defaults, frameClocks, integrators, stoppings, timesteps } from '../physics/index.ts'
 import type { Option, Options, Problem } from '../physics/index.ts'
+import { MOST_RUNNERS } from './check.ts'
 import type { DraftRunner } from './check.ts'
 import type { RunnerState } from './state.ts'
 import { readNumber, writeNumber } from './numberText.ts'
@@ -24,7 +25,10 @@ export function writeRunners(runners: readonly RunnerState[]): string {
 
 /** The runners that a text stands for, as yet unchecked. What can't be read at all is added to the problems. */
 export function readRunners(text: string, problems: Problem[]): DraftRunner[] {
-  return split(text, ';').map((runner, i) => readRunner(runner, i, problems))
+  const texts = split(text, ';')
+  const runners = texts.slice(0, MOST_RUNNERS).map((runner, i) => readRunner(runner, i, problems))
+  // Those that are too many count, and are not read.
+  return texts.map((_, i) => runners[Math.min(i, MOST_RUNNERS - 1)]!)
 }
 
 function writeRunner(runner: RunnerState, turn: number): string {
@@ -99,22 +103,27 @@ function readValue(text: string, option: Option | undefined): unknown {
   return option?.type === 'choice' ? text : (readNumber(text) ?? text)
 }
 
+const known = [frameClocks, timesteps, integrators, stoppings]
+  .flatMap((list) => list.map(({ id }) => id))
+  .join(', ')
+
 function unknownWord(word: string): string {
-  const known = [frameClocks, timesteps, integrators, stoppings].flatMap((list) =>
-    list.map(({ id }) => id),
-  )
-  return `"${word.slice(0, 40)}" is neither a frame rate nor one of ${known.join(', ')}`
+  return `"${word.slice(0, 40)}" is neither a frame rate nor one of ${known}`
 }
 
 /** Cuts at a separator that does not stand in brackets. */
 function split(text: string, separator: string): string[] {
-  const parts = ['']
+  const parts: string[] = []
   let depth = 0
-  for (const letter of text) {
+  let from = 0
+  for (let i = 0; i < text.length; i++) {
+    const letter = text[i]
     if (letter === '(') depth++
-    if (letter === ')') depth--
-    if (letter === separator && depth <= 0) parts.push('')
-    else parts[parts.length - 1] += letter
+    else if (letter === ')') depth--
+    else if (letter === separator && depth <= 0) {
+      parts.push(text.slice(from, i).trim())
+      from = i + 1
+    }
   }
-  return parts.map((part) => part.trim())
+  return [...parts, text.slice(from).trim()]
 }

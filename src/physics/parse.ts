@@ -5,7 +5,7 @@ import { frameClocks } from './frames/index.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import type { NumberOption, Option, Options } from './options.ts'
-import { ExperimentError, nearest, shorten, show } from './problems.ts'
+import { ExperimentError, MOST_SHOWN, nearest, shorten, show } from './problems.ts'
 import type { Problem } from './problems.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
@@ -103,7 +103,8 @@ class Reader {
     }
     for (const key of Object.keys(value)) {
       if (known.includes(key)) continue
-      const name = nearest(key, known)
+      // A guess takes a while, and nobody reads a thousand.
+      const name = this.problems.length < MOST_SHOWN ? nearest(key, known) : undefined
       const hint = name ? `did you mean ${name}?` : `known are ${known.join(', ')}`
       this.report(path ? `${path}.${shorten(key)}` : shorten(key), `is not known here; ${hint}`)
     }

@@ -6,7 +6,8 @@ export interface Problem {
   message: string
 }
 
-const MOST_SHOWN = 20
+/** So many problems a message shows; of the rest it says how many there are. */
+export const MOST_SHOWN = 20
 
 /** Thrown for an experiment that can't be run; its message is for people and names every problem. */
 export class ExperimentError extends Error {

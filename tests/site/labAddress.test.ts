@@ -75,3 +75,25 @@ test('a link typed over a good one is told to be bad, and the next good one is t
   expect(await lab.page.getByRole('alert').count()).toBe(0)
   expect((await lab.state()).scene).toBe('fall')
 })
+
+test('nothing from an address reaches the page as HTML', async () => {
+  const markup = '<img src=x onerror="document.title=1"><b id=smuggled>'
+  for (const where of [
+    `angle=${markup}`,
+    `${markup}=1`,
+    `runners=${markup}`,
+    `runners=10/fixed(step:${markup})`,
+    `scene=${markup}`,
+    `duration=${markup}`,
+  ]) {
+    // Both as it stands and as a browser writes it.
+    for (const hash of [where, encodeURI(where)]) {
+      const { page, problems } = await openLab(hash)
+      await page.getByRole('alert').waitFor()
+      expect(await page.getByRole('alert').innerText()).toContain('<img src')
+      expect(await page.locator('#smuggled, img').count()).toBe(0)
+      expect(await page.title()).toBe('Any Frame Rate')
+      expect(problems).toEqual([])
+    }
+  }
+})
