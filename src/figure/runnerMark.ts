@@ -1,6 +1,5 @@
 import { html, LitElement } from 'lit'
-import { markPath } from '../view/marks.ts'
-import { onThemeChange } from './theme.ts'
+import { markText } from '../view/marks.ts'
 
 /**
  * A runner's mark in its colour, the one that its dots have in the picture.
@@ -13,42 +12,20 @@ export class RunnerMark extends LitElement {
 
   declare look: number
   declare hollow: boolean
-  private stopWatching = () => {}
 
   override createRenderRoot(): this {
     return this
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback()
-    this.stopWatching = onThemeChange(() => this.draw())
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback()
-    this.stopWatching()
-  }
-
+  // SVG, not a canvas: a browser asks every canvas of a page for its picture at every frame.
   override render() {
-    return html`<canvas aria-hidden="true"></canvas>`
-  }
-
-  override updated(): void {
-    this.draw()
-  }
-
-  private draw(): void {
-    const canvas = this.querySelector('canvas')
-    const pen = canvas?.getContext('2d')
-    if (!canvas || !pen) return
-    const size = Math.round(16 * devicePixelRatio)
-    canvas.width = canvas.height = size
-    const mark = markPath(this.look, size / 2, size / 2, 0.4 * size)
-    const colour = getComputedStyle(this).getPropertyValue(`--runner-${this.look}`)
-    pen.fillStyle = pen.strokeStyle = colour
-    pen.lineWidth = 1.5 * devicePixelRatio
-    pen.lineJoin = 'round'
-    if (this.hollow) pen.stroke(mark)
-    else pen.fill(mark)
+    const { look, hollow } = this
+    const colour = `var(--runner-${look})`
+    return html`<svg aria-hidden="true" viewBox="-1.25 -1.25 2.5 2.5">
+      <path
+        d=${markText(look)}
+        style="fill: ${hollow ? 'none' : colour}; stroke: ${hollow ? colour : 'none'}"
+      ></path>
+    </svg>`
   }
 }

@@ -1,8 +1,13 @@
+import { SvgPath } from './svgPath.ts'
+
+/** What a mark is drawn on: a canvas's path, or one for SVG. */
+type Path = Pick<Path2D, 'arc' | 'closePath' | 'lineTo' | 'rect'>
+
 /**
  * The eight marks that tell runners apart without colour, each drawn into a circle around the origin of radius 1 and
  * of about the same weight.
  */
-const marks: readonly ((path: Path2D) => void)[] = [
+const marks: readonly ((path: Path) => void)[] = [
   (path) => polygon(path, 3, 1, -Math.PI / 2),
   (path) => path.arc(0, 0, 0.78, 0, 2 * Math.PI),
   (path) => path.rect(-0.7, -0.7, 1.4, 1.4),
@@ -43,7 +48,14 @@ export function markPath(look: number, x: number, y: number, radius: number): Pa
   return path
 }
 
-function polygon(path: Path2D, corners: number, radius: number, start: number): void {
+/** A mark around the origin, of radius 1, for SVG. */
+export function markText(look: number): string {
+  const path = new SvgPath()
+  marks[look % marks.length]!(path)
+  return path.text
+}
+
+function polygon(path: Path, corners: number, radius: number, start: number): void {
   for (let i = 0; i < corners; i++) {
     const angle = start + (2 * Math.PI * i) / corners
     path.lineTo(radius * Math.cos(angle), radius * Math.sin(angle))
@@ -51,7 +63,7 @@ function polygon(path: Path2D, corners: number, radius: number, start: number): 
   path.closePath()
 }
 
-function star(path: Path2D): void {
+function star(path: Path): void {
   for (let i = 0; i < 10; i++) {
     const radius = i % 2 === 0 ? 1.05 : 0.45
     const angle = -Math.PI / 2 + (Math.PI * i) / 5

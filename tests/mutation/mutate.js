@@ -1,0 +1,59 @@
+/*
+ * Mutation testing of src/physics: changes the code in thousands of small ways and asks the tests about each. It works
+ * on a copy, in which `as const` is taken away: Stryker leaves alone what stands before it, and here that is every
+ * integrator. Arguments go to Stryker, e.g. `npm run mutate -- --mutate src/physics/settle.ts`.
+ */
+import { spawnSync } from 'node:child_process'
+import {
+  cpSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join, resolve } from 'node:path'
+
+const root = resolve(import.meta.dirname, '../..')
+const copy = join(tmpdir(), 'any-frame-rate-mutation')
+const report = join(root, 'node_modules/.cache/mutation')
+
+rmSync(copy, { recursive: true, force: true })
+mkdirSync(copy)
+mkdirSync(report, { recursive: true })
+for (const each of ['package.json', 'tsconfig.json', 'src', 'tests'])
+  cpSync(join(root, each), join(copy, each), { recursive: true })
+symlinkSync(join(root, 'node_modules'), join(copy, 'node_modules'), 'dir')
+
+const physics = join(copy, 'src/physics')
+for (const file of readdirSync(physics, { recursive: true, encoding: 'utf8' })) {
+  if (!file.endsWith('.ts')) continue
+  const path = join(physics, file)
+  writeFileSync(path, readFileSync(path, 'utf8').replaceAll(/ as const\b/g, ''))
+}
+
+const settings = {
+  testRunner: 'vitest',
+  plugins: ['@stryker-mutator/vitest-runner'],
+  vitest: { configFile: 'tests/mutation/vitest.config.ts', related: false },
+  coverageAnalysis: 'perTest',
+  mutate: ['src/physics/**/*.ts'],
+  // The copy is the sandbox.
+  inPlace: true,
+  reporters: ['clear-text', 'json'],
+  clearTextReporter: { allowColor: false, logTests: false, reportTests: false },
+  jsonReporter: { fileName: join(report, 'mutation.json') },
+  incremental: true,
+  incrementalFile: join(report, 'incremental.json'),
+  thresholds: { high: 95, low: 90, break: 90 },
+}
+writeFileSync(join(copy, 'stryker.config.json'), JSON.stringify(settings, null, 2))
+
+const stryker = join(root, 'node_modules/@stryker-mutator/core/bin/stryker.js')
+const { status } = spawnSync(process.execPath, [stryker, 'run', ...process.argv.slice(2)], {
+  cwd: copy,
+  stdio: 'inherit',
+})
+process.exitCode = status ?? 1
