@@ -1,10 +1,12 @@
 import { defineConfig } from 'vite'
+import { tutorial } from './src/tutorial/build/plugin.ts'
 
 export default defineConfig({
   // Relative addresses, so that the built page works in any folder of any server.
   base: './',
   // A missing file is a 404, not the front page.
   appType: 'mpa',
+  plugins: [tutorial()],
   build: {
     target: 'es2022',
     rolldownOptions: {

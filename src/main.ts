@@ -1,1 +1,2 @@
 import './figure/define.ts'
+import './figure/defineFigure.ts'

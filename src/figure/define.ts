@@ -1,5 +1,6 @@
 import { StepInspector } from './inspector/stepInspector.ts'
 import { RecordFrames } from './recordFrames/recordFrames.ts'
+import { LabMeasures } from './measures/labMeasures.ts'
 import { FrameStrip } from './frameStrip.ts'
 import { LabPlot } from './plots/labPlot.ts'
 import { LabPlots } from './plots/labPlots.ts'
@@ -19,6 +20,7 @@ customElements.define('runner-row', RunnerRow)
 customElements.define('slide-stage', SlideStage)
 customElements.define('lab-plot', LabPlot)
 customElements.define('lab-plots', LabPlots)
+customElements.define('lab-measures', LabMeasures)
 customElements.define('step-inspector', StepInspector)
 customElements.define('record-frames', RecordFrames)
 customElements.define('share-menu', ShareMenu)

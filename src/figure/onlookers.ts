@@ -1,8 +1,11 @@
+import { onSight } from './sight.ts'
+
 /** An element, and what is to be done for it when the instant has moved. */
 interface Onlooker {
   readonly draw: Set<() => void>
   readonly write: Set<() => void>
   seen: boolean
+  stopWatching: () => void
 }
 
 /**
@@ -11,25 +14,26 @@ interface Onlooker {
  */
 export class Onlookers {
   private readonly all = new Map<Element, Onlooker>()
-  private readonly sight = new IntersectionObserver((entries) => {
-    for (const { target, isIntersecting } of entries) {
-      const known = this.all.get(target)
-      if (known) known.seen = isIntersecting
-    }
-  })
 
   /** Returns its undoing. */
   add(element: Element, does: 'draw' | 'write', listener: () => void): () => void {
-    const known = this.all.get(element) ?? { draw: new Set(), write: new Set(), seen: false }
+    const known = this.all.get(element) ?? this.newcomer(element)
     known[does].add(listener)
-    this.all.set(element, known)
-    this.sight.observe(element)
     return () => {
       known[does].delete(listener)
       if (known.draw.size + known.write.size > 0) return
       this.all.delete(element)
-      this.sight.unobserve(element)
+      known.stopWatching()
     }
+  }
+
+  private newcomer(element: Element): Onlooker {
+    const newcomer: Onlooker = {
+      ...{ draw: new Set(), write: new Set(), seen: false },
+      stopWatching: onSight(element, (isSeen) => (newcomer.seen = isSeen)),
+    }
+    this.all.set(element, newcomer)
+    return newcomer
   }
 
   /** Those that can be seen, or `everyone`. */

@@ -2,6 +2,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import type { Trajectory } from '../physics/index.ts'
 import { rowAt } from '../view/timeline.ts'
 import { Onlookers } from './onlookers.ts'
+import { onSight } from './sight.ts'
 
 /** What playback moves through. */
 interface Recording extends ReactiveControllerHost, HTMLElement {
@@ -27,10 +28,7 @@ export class Playback implements ReactiveController {
   private before = 0
   private readonly host: Recording
   private readonly onlookers = new Onlookers()
-  private readonly watcher = new IntersectionObserver(([entry]) => {
-    this.seen = entry!.isIntersecting
-    this.schedule()
-  })
+  private stopWatching = () => {}
 
   constructor(host: Recording) {
     this.host = host
@@ -38,11 +36,14 @@ export class Playback implements ReactiveController {
   }
 
   hostConnected(): void {
-    this.watcher.observe(this.host)
+    this.stopWatching = onSight(this.host, (isSeen) => {
+      this.seen = isSeen
+      this.schedule()
+    })
   }
 
   hostDisconnected(): void {
-    this.watcher.disconnect()
+    this.stopWatching()
     this.seen = false
     this.schedule()
   }

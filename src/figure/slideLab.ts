@@ -112,6 +112,8 @@ export class SlideLab extends LitElement implements LabView {
   }
 
   override createRenderRoot(): this {
+    // The still that stood for it.
+    this.replaceChildren()
     return this
   }
 
@@ -224,6 +226,11 @@ export class SlideLab extends LitElement implements LabView {
         .selected=${this.selected}
         .seek=${(time: number) => playback.seek(time)}
       ></lab-plots>
+      <lab-measures
+        .simulated=${simulated}
+        .selected=${this.selected}
+        .lab=${this}
+      ></lab-measures>
       ${stepInspector(this)}`
   }
 }

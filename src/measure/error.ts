@@ -2,16 +2,23 @@ import { exactMotion } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 
 /** Errors of a run against the true motion, a number for each frame, and what they come to [m]. */
-export interface Errors {
+export interface Errors extends ErrorSizes {
   /** Signed, one for each row of the trajectory. */
   readonly each: Float64Array
   /** Signed, that of the last row. */
   readonly atEnd: number
+}
+
+/** What the errors of a run come to [m]. NaN where the true motion is not known. */
+export interface ErrorSizes {
   /** The largest in size. */
   readonly largest: number
   /** Root mean square over the frames: an order is fitted to this, since an end point can be right by luck. */
   readonly rms: number
 }
+
+/** Below this a difference is an accident of rounding, of the run's or of the exact motion's [m]. */
+export const ROUNDING = 1e-11
 
 /** How far the physics state is from the truth at the state's own time: s − exact(stateTime). */
 export function trajectoryErrors(trajectory: Trajectory): Errors {
@@ -23,16 +30,32 @@ export function presentationErrors(trajectory: Trajectory): Errors {
   return errors(trajectory, trajectory.drawnS, trajectory.time)
 }
 
-function errors({ experiment }: Trajectory, positions: Float64Array, times: Float64Array): Errors {
+/** What the presentation errors come to, without a list of them: for many runs. */
+export function presentationErrorSizes(trajectory: Trajectory): ErrorSizes {
+  return sizes(trajectory, trajectory.drawnS, trajectory.time)
+}
+
+function errors(trajectory: Trajectory, positions: Float64Array, times: Float64Array): Errors {
+  const each = new Float64Array(positions.length)
+  const { largest, rms } = sizes(trajectory, positions, times, each)
+  return { each, atEnd: each[each.length - 1]!, largest, rms }
+}
+
+function sizes(
+  { experiment }: Trajectory,
+  positions: Float64Array,
+  times: Float64Array,
+  each?: Float64Array,
+): ErrorSizes {
   const motion = exactMotion(experiment)
   const truth = { s: 0, v: 0 }
   let largest = 0
   let squares = 0
-  const each = positions.map((position, row) => {
-    const error = position - motion(times[row]!, truth).s
+  for (let row = 0; row < positions.length; row++) {
+    const error = positions[row]! - motion(times[row]!, truth).s
     largest = Math.max(largest, Math.abs(error))
     squares += error * error
-    return error
-  })
-  return { each, atEnd: each[each.length - 1]!, largest, rms: Math.sqrt(squares / each.length) }
+    if (each) each[row] = error
+  }
+  return { largest, rms: Math.sqrt(squares / positions.length) }
 }

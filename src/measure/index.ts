@@ -1,12 +1,43 @@
-/** What a run is worth: its errors, its order, its energy, its frame-rate spread, the step at which it blows up. */
+/** What a run is worth: its errors, its order, its energy, its work, its frame-rate spread, the step at which it blows up. */
 
-export { presentationErrors, trajectoryErrors } from './error.ts'
-export type { Errors } from './error.ts'
+export { presentationErrors, presentationErrorSizes, ROUNDING, trajectoryErrors } from './error.ts'
+export type { Errors, ErrorSizes } from './error.ts'
 export { energyResidual, mechanicalEnergy } from './energy.ts'
 export { fingerprint, fingerprintExperiments } from './fingerprint.ts'
+export { cheapest, frontier } from './frontier.ts'
+export type { Offer } from './frontier.ts'
 export { hardCaseClaims } from './hardCases/claims.ts'
 export { hardCases } from './hardCases/index.ts'
 export type { HardCase } from './hardCases/index.ts'
 export { fittedOrder } from './order.ts'
+export {
+  cellKinds,
+  COARSE,
+  coarseCell,
+  mappedExperiment,
+  rateAt,
+  rateMap,
+  REFERENCE_RATE,
+  rowsOf,
+  valueAt,
+} from './rateMap.ts'
+export type { CellKind, MapRequest, MapRow } from './rateMap.ts'
 export { frameRateSpread, spreadOf } from './spread.ts'
+export { paperMethod, spreadMethods, spreadTable } from './spreadTable.ts'
+export type { MethodChoice, SpreadRequest, SpreadRow } from './spreadTable.ts'
 export { stabilityLimit, staysBounded } from './stability.ts'
+export { stableRate } from './stableRate.ts'
+export {
+  counts,
+  isExact,
+  orderOfCurve,
+  outcomeKinds,
+  sweep,
+  sweepMethods,
+  sweepRates,
+  sweptExperiment,
+  timedSweep,
+} from './sweep.ts'
+export type { SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
+export { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
+export type { Clock } from './work.ts'

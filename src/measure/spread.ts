@@ -18,6 +18,7 @@ export function spreadOf(positions: readonly number[]): number {
  *
  * @throws ExperimentError for an experiment that can't be run
  */
+// #region spread
 export function frameRateSpread(experiment: Experiment): number {
   return spreadOf(
     spreadClocks.map((frames) => {
@@ -26,3 +27,4 @@ export function frameRateSpread(experiment: Experiment): number {
     }),
   )
 }
+// #endregion

@@ -51,11 +51,13 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const atRest = v === 0 && entry(stoppings, stopping).holdsSlip
   const held = atRest && law.muStatic > 0 && Math.abs(drive) <= law.muStatic * press
   const slip = Math.sign(atRest ? drive : v)
+  // #region vectors
   const gravity = { x: 0, y: -law.mass * parameters.gravity! }
   const normal = times(law.mass * press, across)
   const friction = times(-law.mass * (held ? drive : slip * law.muKinetic * press), along)
   const other = times(law.mass * drive - dot(gravity, along), along)
   const sum = plus(gravity, normal, friction, other)
+  // #endregion
   return {
     along,
     across,

@@ -1,27 +1,15 @@
-/** Sets `drive` and `press` of a motion from its `s` and `v`: what a scene contributes to a step. */
-export type Forces = (motion: Motion) => void
+import { Contact, feltOn } from './law.ts'
+import type { Forces, Law } from './law.ts'
 
-/** What a scene's law is besides its forces. */
-export interface Law {
-  readonly forces: Forces
-  /** [kg] */
-  readonly mass: number
-  /** Coefficients of static and kinetic friction; static is never taken below kinetic. */
-  readonly muStatic: number
-  readonly muKinetic: number
-  /** A force changes with the speed, not with its direction alone. */
-  readonly dependsOnSpeed: boolean
-  /** The normal force is the same all along the track. */
-  readonly constantPress: boolean
-  /** The instant at which the speed changes sign matters: a force jumps or has a kink there, or the track has joints. */
-  readonly turnMatters: boolean
-  /** Where one piece of the track joins the next [m], ascending: piece i ends at joints[i]. */
-  readonly joints: readonly number[]
-  /** Beyond the first and the last joint there is no track: a block that gets there has left. */
-  readonly open: boolean
-  /** A speed that only a step which has lost its stability reaches [m/s]. */
-  readonly speedLimit: number
-}
+// What starts 1e9 m away and falls at 1e6 m/s² for 1e6 s does not get near it [m].
+export const FAR = 1e24
+
+// How the acceleration on a piece of track is found: it is one number, it changes with the distance or with the square of
+// the speed alone, or the forces are asked for.
+const STEADY = 0
+const WITH_DISTANCE = 1
+const WITH_SPEED = 2
+const ASKED = 3
 
 /**
  * A block on a track, mid-step: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and what acts on
@@ -33,14 +21,16 @@ export interface Law {
 export class Motion {
   s = NaN
   v = NaN
-  /** The acceleration that `accelerate` found last [m/s²]. */
+  /** The acceleration that serves the next step too, where `known` [m/s²]. */
   a = NaN
-  /** Every force along the track but friction, per mass [m/s²]. */
+  /** Every force along the track but friction, per mass, and the normal force per mass, as `feel` found them [m/s²]. */
   drive = NaN
-  /** Normal force per mass, ≥ 0 [m/s²]. */
   press = NaN
   /** The length of the step to take [s]. */
   dt = NaN
+  /** How many such steps are left to take in a row; 0 while they are tried one by one. */
+  left = 0
+  private inRow = false
   /** Energy that friction has turned into heat [J]. */
   heat = NaN
   /** How far before the jump that is looked for a tried step ended: negative past it. */
@@ -48,7 +38,7 @@ export class Motion {
   /** How far into the step asked for the motion has got [s]. */
   elapsed = NaN
 
-  /** The slip direction: the side to which friction does not point. */
+  /** The slip direction: the side to which friction does not point. Whoever changes it calls `enterPiece` after that. */
   slip: -1 | 0 | 1 = 0
   /** Friction keeps to `slip`, instead of taking the sign of each speed it is asked about. */
   slipHeld = true
@@ -67,6 +57,8 @@ export class Motion {
   evaluations = 0
   /** Implicit steps whose equation was not solved to rounding. */
   unsolved = 0
+  /** The method is of higher order than the second: the sum of the heat has to be, too. */
+  accurate = false
 
   /** The state at the beginning of the step, to which `rewind` returns. */
   startS = NaN
@@ -75,49 +67,185 @@ export class Motion {
   startKnown = false
 
   readonly law: Law
-  // What a step reads of the law stands here too, as fields of known kind.
-  readonly rubs: boolean
-  readonly constantPress: boolean
-  readonly turnMatters: boolean
-  readonly speedLimit: number = NaN
-  /** m μk: times `press` it is the size of kinetic friction [kg]. */
-  readonly rubbingMass: number = NaN
-  private readonly forces: Forces
   private readonly muKinetic: number = NaN
+  private readonly contact = new Contact()
+  private readonly asked: readonly Forces[]
+
+  // The law of the piece, with friction to the side that the slip direction gives it.
+  private kind = ASKED
+  private forces: Forces
+  private steady = NaN
+  private evenDrive = NaN
+  private perMetre = NaN
+  private perSquare = NaN
+  private friction = NaN
+  private askedS = NaN
+  private askedV = NaN
+  private answer = NaN
+  /** Friction [N], where the normal force is the same all along the piece. */
+  private rubbing = NaN
+  private pressesEvenly = true
+  /** The normal force per mass at the end of the last step, where it changes along the piece [m/s²]. */
+  private pressed = NaN
+  // A step that ends between these has met no jump of the law.
+  private low = NaN
+  private high = NaN
+  private slowest = NaN
+  private fastest = NaN
+  // What a refused step has counted is taken back.
+  private keptEvaluations = 0
+  private unsolvedAt = 0
 
   constructor(law: Law, s: number, v: number) {
     this.law = law
-    this.forces = law.forces
-    this.rubs = law.muKinetic > 0
-    this.constantPress = law.constantPress
-    this.turnMatters = law.turnMatters
-    this.speedLimit = law.speedLimit
-    this.rubbingMass = law.mass * law.muKinetic
     this.muKinetic = law.muKinetic
+    this.asked = law.forces.map(feltOn)
+    this.forces = this.asked[0]!
     this.s = s
     this.v = v
     this.heat = 0
     this.elapsed = 0
-    this.drive = 0
-    this.press = 0
     this.slip = v > 0 ? 1 : v < 0 ? -1 : 0
     this.enterPiece()
   }
 
   /**
-   * Sets `a` to dv/dt at the present `s` and `v` [m/s²]. An integrator moves the motion to wherever it wants to look.
-   * Numbers come and go in fields, since engines box one that is passed to a function or returned from it.
+   * dv/dt at a distance and a speed of the present piece [m/s²]: what an integrator asks for. Short, so that an engine
+   * compiles it into every integrator, and no number is boxed.
    */
-  accelerate(): void {
+  acceleration(s: number, v: number): number {
     this.evaluations++
-    this.forces(this)
-    const slip = this.slipHeld ? this.slip : this.v > 0 ? 1 : this.v < 0 ? -1 : 0
-    this.a = this.drive - slip * this.muKinetic * this.press
+    if (this.kind === STEADY) return this.steady
+    if (this.kind === WITH_DISTANCE) return this.evenDrive - this.perMetre * s - this.friction
+    if (this.kind === WITH_SPEED)
+      return this.evenDrive - this.perSquare * v * Math.abs(v) - this.friction
+    this.askedS = s
+    this.askedV = v
+    this.accelerate()
+    return this.answer
+  }
+
+  // #region accelerate
+  private accelerate(): void {
+    const { contact, forces, askedV: v } = this
+    contact.s = this.askedS
+    contact.v = v
+    forces(contact)
+    const slip = this.slipHeld ? this.slip : v > 0 ? 1 : v < 0 ? -1 : 0
+    this.answer = contact.drive - slip * this.muKinetic * contact.press
+  }
+  // #endregion
+
+  /**
+   * Ends a step at a distance and a speed: what an integrator calls. Returns whether it goes on from there with another.
+   * A step of those in a row that met a jump of the law is not kept: the stopping rule takes it again.
+   */
+  goesOn(s: number, v: number): boolean {
+    if (this.left > 0) {
+      if (!(v > this.slowest && v < this.fastest && s > this.low && s < this.high))
+        return this.refuse()
+      if (this.pressesEvenly) this.heat += this.rubbing * Math.abs(s - this.s)
+      else this.noteStart()
+      this.left--
+    }
+    this.s = s
+    this.v = v
+    this.known = this.reusable
+    this.keptEvaluations = this.evaluations
+    if (!this.pressesEvenly && this.inRow) this.addPressed()
+    return this.left > 0
+  }
+
+  /** Takes back what a step that is not kept has counted. */
+  private refuse(): boolean {
+    this.evaluations = this.keptEvaluations
+    if (this.unsolvedAt === this.left) this.unsolved--
+    return false
+  }
+
+  private noteStart(): void {
+    this.startS = this.s
+    this.startV = this.v
+  }
+
+  /** Counts a step whose equation was not solved to rounding. */
+  leaveUnsolved(): void {
+    this.unsolved++
+    this.unsolvedAt = this.left
+  }
+
+  /** Readies the motion to take up to that many steps in a row. Returns false where the next one needs a stopping rule. */
+  startRow(count: number): boolean {
+    const { v, from, to, law } = this
+    this.left = count
+    this.inRow = true
+    this.unsolvedAt = 0
+    // Beyond these it has turned, or lost its stability.
+    this.slowest = v > 0 ? 0 : -law.speedLimit
+    this.fastest = v > 0 ? law.speedLimit : 0
+    return (
+      this.slipHeld &&
+      this.dt > 0 &&
+      v !== 0 &&
+      (this.slip > 0 ? this.s >= from && this.s < to : this.s > from && this.s <= to)
+    )
+  }
+
+  /** From here on steps are tried one by one. */
+  endRow(): void {
+    this.left = 0
+    this.inRow = false
+  }
+
+  /** Notes how many evaluations there were, a number to which a refused step returns. */
+  note(): void {
+    this.keptEvaluations = this.evaluations
   }
 
   /** Sets `drive` and `press` to what they are at the present `s` and `v`. */
   feel(): void {
-    this.forces(this)
+    const { contact, forces } = this
+    contact.s = this.s
+    contact.v = this.v
+    forces(contact)
+    this.drive = contact.drive
+    this.press = contact.press
+  }
+
+  /** Adds the heat of the step from the beginning noted to the present state: friction force × sliding distance. */
+  addHeat(): void {
+    if (this.pressesEvenly) this.heat += this.rubbing * Math.abs(this.s - this.startS)
+    else this.addPressed()
+  }
+
+  /**
+   * The same where the normal force changes along the step: its mean over both ends times the distance, of the second
+   * order; for a method of a higher one Simpson's rule over the cubic through both ends, so that its heat is as accurate
+   * as its motion.
+   */
+  private addPressed(): void {
+    const { contact, forces, s, v, startS, startV, dt } = this
+    const distance = s - startS
+    const before = this.pressed
+    let middle = 0
+    if (this.accurate && dt > 0) {
+      const ends = (startV + v) / 4
+      const speed = (1.5 * distance) / dt - ends
+      // A diverging step's cubic may race between its ends; a real one's does not.
+      const most = 2 * Math.max(Math.abs(startV), Math.abs(v))
+      contact.s = 0.5 * (startS + s) + 0.125 * dt * (startV - v)
+      contact.v = Math.max(-most, Math.min(most, speed))
+      forces(contact)
+      middle = contact.press * speed
+    }
+    contact.s = s
+    contact.v = v
+    forces(contact)
+    this.pressed = contact.press
+    const work = this.accurate
+      ? ((before * startV + 4 * middle + contact.press * v) * dt) / 6
+      : 0.5 * (before + contact.press) * distance
+    this.heat += this.law.mass * this.muKinetic * Math.abs(work)
   }
 
   /** Whether friction keeps to `slip` or takes the sign of v at every evaluation. */
@@ -125,6 +253,7 @@ export class Motion {
     const { law } = this
     this.slipHeld = held
     this.reusable = !law.dependsOnSpeed && (held || law.muKinetic === 0)
+    this.enterPiece()
   }
 
   /** Notes the state as the beginning of a step. */
@@ -160,7 +289,32 @@ export class Motion {
     this.from = piece === 0 ? -Infinity : joints[piece - 1]!
     this.to = piece === joints.length ? Infinity : joints[piece]!
     this.known = false
+    this.takeUpLaw()
     return !open || (piece > 0 && piece < joints.length)
+  }
+
+  /** Works out what is the same all along the piece, with friction to the present side. */
+  private takeUpLaw(): void {
+    const { law, slip, muKinetic } = this
+    const given = law.forces[this.piece]!
+    this.forces = this.asked[this.piece]!
+    this.kind = ASKED
+    this.feel()
+    this.pressesEvenly = typeof given !== 'function' || muKinetic === 0
+    this.rubbing = muKinetic === 0 ? 0 : law.mass * muKinetic * this.press
+    this.pressed = this.press
+    if (typeof given !== 'function' && this.slipHeld) {
+      const { perMetre = 0, perSquare = 0 } = given
+      if (perMetre === 0) this.kind = perSquare === 0 ? STEADY : WITH_SPEED
+      else if (perSquare === 0) this.kind = WITH_DISTANCE
+      this.evenDrive = given.drive
+      this.perMetre = perMetre
+      this.perSquare = perSquare
+      this.friction = slip * muKinetic * given.press
+      this.steady = given.drive - this.friction
+    }
+    this.low = Math.max(this.from, -FAR)
+    this.high = Math.min(this.to, FAR)
   }
 
   /** Ends the motion: nothing that is left of the step, and no later one, changes it. */

@@ -4,13 +4,18 @@ import type { Integrator } from './integrator.ts'
 import { entry } from './lists.ts'
 import { integrators } from './integrators/index.ts'
 import { Motion } from './motion.ts'
-import type { Law } from './motion.ts'
+import type { Law } from './law.ts'
 import { scenes } from './scenes/index.ts'
 import { stoppings } from './stopping/index.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 import { timesteps } from './timesteps/index.ts'
 import type { Advance, TimestepPolicy } from './timestepPolicy.ts'
 import type { Scene } from './scene.ts'
+import { unit } from './unit.ts'
+
+// Few enough that an integrator is called often: an engine that has to replace the code of a loop while it runs makes worse code
+// of it, which boxes every number that the loop carries.
+const LONGEST_ROW = 64
 
 /** How a run stands or ended, and since when on the physics clock [s]. */
 export interface Outcome {
@@ -48,6 +53,8 @@ export class Run {
   steps = 0
 
   private outcomeTime = NaN
+  /** Nobody needs to see each step by itself. */
+  private readonly inRows: boolean
   private readonly wallClock = new ExactSum()
   private readonly integrator: Integrator
   private readonly stopping: StoppingRule
@@ -58,13 +65,15 @@ export class Run {
     const { parameters } = experiment
     const integrator: Integrator = entry(integrators, experiment.integrator)
     const stopping: StoppingRule = entry(stoppings, experiment.stopping)
-    this.integrator = watch ? watch.integrator(integrator) : integrator
+    this.integrator = watch ? watch.integrator(integrator) : unit(integrator)
     this.stopping = watch ? watch.stopping(stopping) : stopping
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
     this.advance = timestep.start(experiment.timestep as never)
     const law = scene.law(parameters)
     this.motion = new Motion(watch ? watch.law(law) : law, parameters.position!, parameters.speed!)
+    this.motion.accurate = integrator.order > 2
     this.motion.holdSlip(this.stopping.holdsSlip)
+    this.inRows = !watch
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
@@ -122,14 +131,30 @@ export class Run {
     }
   }
 
-  /** Takes a step of `motion.dt` seconds: what a timestep policy calls. */
-  step(): void {
+  /**
+   * Takes that many steps of `motion.dt` seconds: what a timestep policy calls. Steps in which nothing happens are taken in
+   * a row by the integrator alone; one that meets a stop or a joint is the stopping rule's.
+   *
+   * @param before of those that `stateTime` does not count yet, how many steps have been taken
+   */
+  step(count = 1, before = 0): void {
     const { motion } = this
-    if (motion.moving) {
+    this.steps += count
+    if (!motion.moving) return
+    let left = count
+    while (left > 0 && motion.moving) {
+      const row = Math.min(left, LONGEST_ROW)
+      if (this.inRows && motion.startRow(row)) {
+        this.integrator.step(motion)
+        left -= row - motion.left
+        if (motion.left === 0) continue
+      }
+      motion.endRow()
       this.stopping.advance(motion, this.integrator)
-      if (!motion.moving) this.outcomeTime = this.stateTime + motion.elapsed
-      this.drawnS = motion.s
+      if (!motion.moving)
+        this.outcomeTime = this.stateTime + (before + count - left) * motion.dt + motion.elapsed
+      left--
     }
-    this.steps++
+    this.drawnS = motion.s
   }
 }

@@ -1,5 +1,5 @@
 import type { Described, NumberOption } from './options.ts'
-import type { Law } from './motion.ts'
+import type { Law } from './law.ts'
 
 /** Where a motion stands: distance along the track [m] and speed [m/s]. */
 export interface State {

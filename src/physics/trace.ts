@@ -1,7 +1,9 @@
 import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
 import type { Integrator } from './integrator.ts'
-import type { Law, Motion } from './motion.ts'
+import { feltOn } from './law.ts'
+import type { Contact, Law } from './law.ts'
+import type { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
 import type { Watch } from './run.ts'
 import type { State } from './scene.ts'
@@ -80,22 +82,28 @@ class Watcher implements Watch {
   writes = false
   readonly steps: PolicyStep[] = []
   private evaluations: Evaluation[] | undefined
+  /** The one in a step that is watched. */
+  private motion: Motion | undefined
 
   law(law: Law): Law {
-    return {
-      ...law,
-      forces: (motion) => {
-        law.forces(motion)
-        const { s, v, drive, press } = motion
-        if (this.evaluations) this.evaluations.push({ s, v, drive, press, a: NaN })
-        // Only static friction asks about a block that slides to neither side.
-        else if (this.writes && motion.slipHeld && motion.slip === 0)
-          this.steps[this.steps.length - 1]!.standings.push({
-            ...{ s, v, drive, press, a: drive },
-            begins: motion.elapsed,
-          })
-      },
-    }
+    const forces = law.forces.map((each) => {
+      const felt = feltOn(each)
+      return (contact: Contact) => {
+        felt(contact)
+        this.seen(contact)
+      }
+    })
+    return { ...law, forces }
+  }
+
+  private seen({ s, v, drive, press }: Contact): void {
+    if (this.evaluations) this.evaluations.push({ s, v, drive, press, a: NaN })
+    // Only static friction asks about a block that slides to neither side.
+    else if (this.motion?.slipHeld && this.motion.slip === 0)
+      this.steps[this.steps.length - 1]!.standings.push({
+        ...{ s, v, drive, press, a: drive },
+        begins: this.motion.elapsed,
+      })
   }
 
   integrator(integrator: Integrator): Integrator {
@@ -128,7 +136,9 @@ class Watcher implements Watch {
       outcome: 'moving',
     }
     this.steps.push(step)
+    this.motion = motion
     rule.advance(motion, integrator)
+    this.motion = undefined
     step.to = stateOf(motion)
     step.outcome = motion.outcome
     const { stretches } = step

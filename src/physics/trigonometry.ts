@@ -38,66 +38,49 @@ const C16 = 1 / 20922789888000
  */
 export class SinCos {
   angle = NaN
+  /** What is to be added to an angle of π/4 at the most, less than its ulp [rad]. */
+  tail = 0
   sin = NaN
   cos = NaN
-  reduced = NaN
-  tail = NaN
-
-  /** Sets `sin` and `cos` to those of `angle`. Odd and even to the bit: sin −x = −sin x. */
-  find(): void {
-    const size = Math.abs(this.angle)
-    const sign = this.angle < 0 ? -1 : 1
-    if (size < Math.PI / 4) {
-      this.reduced = size
-      this.tail = 0
-      this.findReduced()
-      this.sin *= sign
-    } else if (size < LARGEST) {
-      const quarters = Math.round(size * TWO_OVER_PI)
-      const rest = size - quarters * HALF_PI_1
-      const correction = quarters * HALF_PI_2
-      const reduced = rest - correction
-      this.reduced = reduced
-      this.tail = rest - reduced - correction - quarters * HALF_PI_3
-      this.findReduced()
-      this.rotate(quarters % 4, sign)
-    } else {
-      this.sin = 0 * this.angle
-      this.cos = 1 + this.sin
-    }
-  }
+  /** The angle that `sin` and `cos` are of: asked for again, they are there. */
+  private found = NaN
 
   /**
-   * Sets `sin` and `cos` to those of `reduced` + `tail`, the first of them at most π/4, the second below its ulp. Taylor's
-   * series: the first term left out, x¹⁹/19!, is below a thousandth of an ulp there.
+   * Sets `sin` and `cos` to those of `angle`. Odd and even to the bit: sin −x = −sin x. By Taylor's series, up to π/4: the
+   * first term left out, x¹⁹/19!, is below a thousandth of an ulp there.
    */
-  findReduced(): void {
-    const x = this.reduced
+  find(): void {
+    const { angle } = this
+    if (angle === this.found) return
+    this.found = angle
+    let x = Math.abs(angle)
+    let tail = this.tail
+    let quarters = 0
+    if (x > Math.PI / 4) {
+      if (!(x < LARGEST)) {
+        this.sin = 0 * angle
+        this.cos = 1 + this.sin
+        return
+      }
+      quarters = Math.round(x * TWO_OVER_PI)
+      const rest = x - quarters * HALF_PI_1
+      const correction = quarters * HALF_PI_2
+      x = rest - correction
+      tail = rest - x - correction - quarters * HALF_PI_3
+    }
     const z = x * x
     const sineTail =
       S3 + z * (S5 + z * (S7 + z * (S9 + z * (S11 + z * (S13 + z * (S15 + z * S17))))))
-    this.sin = x + (x * z * sineTail + this.tail * (1 - 0.5 * z))
+    const sin = x + (x * z * sineTail + tail * (1 - 0.5 * z))
     const cosineTail = C4 + z * (C6 + z * (C8 + z * (C10 + z * (C12 + z * (C14 + z * C16)))))
     const head = 1 - 0.5 * z
     // What rounding took from `head` comes back in (1 − head) − z/2, which is exact.
-    this.cos = head + (1 - head - 0.5 * z + (z * z * cosineTail - x * this.tail))
-  }
-
-  /** Turns the angle just found on by that many quarter turns, then mirrors it. */
-  private rotate(quarters: number, sign: number): void {
-    const { sin, cos } = this
-    if (quarters === 0) {
-      this.sin = sign * sin
-    } else if (quarters === 1) {
-      this.sin = sign * cos
-      this.cos = -sin
-    } else if (quarters === 2) {
-      this.sin = sign * -sin
-      this.cos = -cos
-    } else {
-      this.sin = sign * -cos
-      this.cos = sin
-    }
+    const cos = head + (1 - head - 0.5 * z + (z * z * cosineTail - x * tail))
+    // A quarter turn on, the sine is what was the cosine.
+    const turned = quarters % 4
+    const size = turned === 0 ? sin : turned === 1 ? cos : turned === 2 ? -sin : -cos
+    this.sin = angle < 0 ? -size : size
+    this.cos = turned === 0 ? cos : turned === 1 ? -sin : turned === 2 ? -cos : sin
   }
 }
 
@@ -129,9 +112,9 @@ export function sinCosDegrees(angle: number): SinCos {
   const degrees = mirrored ? 90 - size : size
   const product = degrees * DEGREE
   const result = new SinCos()
-  result.reduced = product
+  result.angle = product
   result.tail = productError(degrees, DEGREE, product) + degrees * DEGREE_REST
-  result.findReduced()
+  result.find()
   if (mirrored) [result.sin, result.cos] = [result.cos, result.sin]
   if (angle < 0) result.sin = -result.sin
   return result

@@ -41,28 +41,47 @@ export class Backdrop {
   }
 
   /** Draws all that is there before the first frame. */
-  private clear(
-    target: CanvasRenderingContext2D,
-    { picture, layout, projection }: Setting,
-    palette: Palette,
-  ): void {
+  private clear(target: CanvasRenderingContext2D, setting: Setting, palette: Palette): void {
+    const { picture, layout, projection } = setting
     const { canvas, context } = this
     const { width, height } = target.canvas
     if (canvas.width !== width) canvas.width = width
     if (canvas.height !== height) canvas.height = height
     context.setTransform(target.getTransform())
     this.drawn = 0
-    context.fillStyle = palette.sheet
-    context.fillRect(0, 0, layout.width, layout.height)
-    if (picture.scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
-    else {
-      drawGround(context, picture, layout, projection, palette)
-      drawScaleBar(context, layout, palette)
-    }
-    if ('angle' in picture.parameters) drawAngle(context, picture, layout, projection, palette)
+    drawScenery(context, setting, palette)
     drawFaint(context, this.lanes)
     drawGhost(context, picture, layout, projection, palette)
   }
+}
+
+/** The track, and what it is measured with. */
+function drawScenery(
+  context: CanvasRenderingContext2D,
+  { picture, layout, projection }: Setting,
+  palette: Palette,
+): void {
+  context.fillStyle = palette.sheet
+  context.fillRect(0, 0, layout.width, layout.height)
+  if (picture.scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
+  else {
+    drawGround(context, picture, layout, projection, palette)
+    drawScaleBar(context, layout, palette)
+  }
+  if ('angle' in picture.parameters) drawAngle(context, picture, layout, projection, palette)
+}
+
+/** Draws a backdrop straight on a context, without keeping anything of it. */
+export const plainBackdrop: Pick<Backdrop, 'draw'> = {
+  draw(context, setting, palette, time) {
+    const { picture, layout, projection } = setting
+    const lanes = lanesOf(picture, layout, projection, palette)
+    drawScenery(context, setting, palette)
+    drawFaint(context, lanes)
+    drawGhost(context, picture, layout, projection, palette)
+    for (const batch of batchesOf(lanes)) if (isShown(batch, time)) drawBatch(context, batch)
+    drawLatest(context, lanes, time)
+  },
 }
 
 function isShown({ lane: { trajectory }, last }: Batch, time: number): boolean {

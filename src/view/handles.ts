@@ -17,7 +17,7 @@ const parameterOf = { tilt: 'angle', place: 'position', push: 'speed' } as const
 
 /** The handles that a scene has. */
 export function handlesOf(picture: Picture, layout: Layout): Handle[] {
-  return (['tilt', 'place', 'push'] as const)
+  return (picture.handles ?? (['tilt', 'place', 'push'] as const))
     .filter((id) => parameterOf[id] in picture.scene.parameters)
     .map((id) => ({ id, parameter: parameterOf[id], ...handleAt(id, picture, layout) }))
 }
@@ -45,22 +45,30 @@ export function drawHandles(
   { lit, held }: Picture,
   palette: Palette,
 ): void {
-  for (const { id, x, y } of handles) {
-    const strong = id === lit || id === held
-    if (strong) {
-      context.globalAlpha = 0.22
-      disc(context, x, y, 17)
-      context.fillStyle = palette.accent
-      context.fill()
-      context.globalAlpha = 1
-    }
-    disc(context, x, y, strong ? 8 : 6.5)
-    context.fillStyle = palette.paper
+  for (const handle of handles)
+    drawDisc(context, handle, handle.id === lit || handle.id === held, palette)
+}
+
+/** A disc to take hold of. */
+export function drawDisc(
+  context: CanvasRenderingContext2D,
+  { x, y }: Point,
+  strong: boolean,
+  palette: Palette,
+): void {
+  if (strong) {
+    context.globalAlpha = 0.22
+    disc(context, x, y, 17)
+    context.fillStyle = palette.accent
     context.fill()
-    context.strokeStyle = palette.accent
-    context.lineWidth = 2.5
-    context.stroke()
+    context.globalAlpha = 1
   }
+  disc(context, x, y, strong ? 8 : 6.5)
+  context.fillStyle = palette.paper
+  context.fill()
+  context.strokeStyle = palette.accent
+  context.lineWidth = 2.5
+  context.stroke()
 }
 
 function disc(context: CanvasRenderingContext2D, x: number, y: number, radius: number): void {

@@ -9,6 +9,9 @@ export interface Palette {
   readonly sheet: string
   readonly ground: string
   readonly line: string
+  /** Of what must be seen: 3:1. */
+  readonly edge: string
+  readonly wrong: string
   readonly accent: string
   readonly accentText: string
   /** By look, 0 … 7: to fill with, and to write with. */
@@ -65,6 +68,8 @@ export class PaletteReader {
       paper: colour('--paper', '#fbfaf6'),
       ground: colour('--ground', '#eeece4'),
       line: colour('--line', '#dfddd4'),
+      edge: colour('--edge', '#8d9097'),
+      wrong: colour('--wrong', '#b3261e'),
       runners: okabeIto.map((fallback, i) => {
         const fill = colour(`--runner-${i}`, fallback)
         return { fill, text: legible(fill) }

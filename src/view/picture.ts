@@ -53,6 +53,8 @@ export interface Picture {
   readonly selected?: number | undefined
   /** The forces on that runner's block; undefined where none are to be shown. */
   readonly forces?: PictureForces | undefined
+  /** Which of the scene's handles it has: all unless it says otherwise. */
+  readonly handles?: readonly HandleId[] | undefined
   /** The handle that is held, if one is, and the one that is pointed at or focused. */
   readonly held?: HandleId | undefined
   readonly lit?: HandleId | undefined

@@ -1,24 +1,13 @@
-import { actorsOf } from './actors.ts'
 import { Backdrop } from './backdrop.ts'
-import { strokeBody } from './body.ts'
-import { drawCaptions } from './captions.ts'
 import { dragged } from './drag.ts'
-import { drawFigures, figureBoxes } from './figures.ts'
-import { forceArrows } from './forces.ts'
-import { drawForces } from './forcesDrawing.ts'
-import { around } from './geometry.ts'
-import { drawHandles } from './handles.ts'
 import { held, layOut } from './layout.ts'
 import type { Layout } from './layout.ts'
+import { paint } from './paint.ts'
 import { PaletteReader } from './palette.ts'
 import type { Palette } from './palette.ts'
-import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
-import { drawRunner } from './signs.ts'
-import { drawSpring } from './spring.ts'
-import { drawPush, startRoom } from './start.ts'
 import { forgetWidths } from './text.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
@@ -89,40 +78,4 @@ export class Stage {
     if (this.canvas.height !== rows) this.canvas.height = rows
     this.context.setTransform(columns / width, 0, 0, rows / height, 0, 0)
   }
-}
-
-/** From the back to the front. */
-function paint(
-  context: CanvasRenderingContext2D,
-  picture: Picture,
-  setting: Setting,
-  palette: Palette,
-  backdrop: Backdrop,
-): void {
-  const { layout, projection, handles, figures } = setting
-  const { scene, time } = picture
-  const actors = actorsOf(picture, layout, projection)
-  backdrop.draw(context, setting, palette, time)
-  context.lineJoin = 'round'
-  // With the exact block as the last of them there is always one for the spring to hang on.
-  const selected = picture.selected === undefined ? undefined : actors[picture.selected]
-  if (scene.id === 'spring')
-    drawSpring(context, (selected ?? actors[0]!).body, layout, projection, palette)
-  for (const actor of actors) drawRunner(context, actor, palette)
-  // What has arrows stands in front of the others.
-  if (selected && picture.forces) drawRunner(context, selected, palette)
-  strokeBody(context, actors.at(-1)!.body, { colour: palette.ink, width: 2 })
-  const physics = selected && physicsOf(selected, picture, layout, projection)
-  if (physics) drawOutline(context, physics, palette)
-  drawPush(context, picture, layout, palette)
-  const boxes = figureBoxes(context, figures, layout, palette)
-  const room = [...startRoom(picture, layout, projection), ...boxes]
-  for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))
-  const arrows = selected ? forceArrows(picture, selected, layout, room) : []
-  for (const arrow of arrows) room.push(arrow.box, ...arrow.room)
-  drawCaptions(context, picture, actors, room, layout, projection, palette)
-  if (physics) drawWords(context, physics, layout, scene.id === 'fall', palette)
-  drawForces(context, arrows, palette)
-  drawFigures(context, figures, boxes, layout, scene.id === 'fall', palette)
-  drawHandles(context, handles, picture, palette)
 }

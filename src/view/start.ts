@@ -31,6 +31,8 @@ export function drawPush(
   const from = handleAt('place', picture, layout)
   const tip = handleAt('push', picture, layout)
   const moving = picture.parameters.speed !== 0
+  // What can't be pulled out is not drawn.
+  if (!moving && picture.handles && !picture.handles.includes('push')) return
   if (!moving) context.setLineDash([2, 3])
   const head = moving ? 15 : 0
   // It ends at the handle's rim: a head under the disc would be no head.

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import { implicitMidpoint } from '../../src/physics/integrators/implicitMidpoint.ts'
+import type { Forces } from '../../src/physics/law.ts'
 import { Motion } from '../../src/physics/motion.ts'
-import type { Forces } from '../../src/physics/motion.ts'
 import { freely } from '../../src/physics/scenes/law.ts'
 
 describe('implicit midpoint', () => {
   const after = (forces: Forces, dt: number) => {
-    const motion = new Motion({ ...freely(1), forces }, 0, 1)
+    const motion = new Motion({ ...freely(1), forces: [forces] }, 0, 1)
     motion.dt = dt
     implicitMidpoint.step(motion)
     return motion

@@ -12,6 +12,7 @@ type PageOptions = {
   colorScheme?: 'light' | 'dark'
   reducedMotion?: 'reduce' | 'no-preference'
   hasTouch?: boolean
+  javaScriptEnabled?: boolean
 }
 
 type OpenPage = {

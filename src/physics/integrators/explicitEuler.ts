@@ -16,10 +16,13 @@ export const explicitEuler = {
   colour: 0,
   // #region step
   step(motion: Motion): void {
-    const { s, v, dt } = motion
-    motion.accelerate()
-    motion.s = s + v * dt
-    motion.v = v + motion.a * dt
+    const { dt } = motion
+    let { s, v } = motion
+    do {
+      const a = motion.acceleration(s, v)
+      s = s + v * dt
+      v = v + a * dt
+    } while (motion.goesOn(s, v))
   },
   // #endregion
 } as const satisfies Integrator

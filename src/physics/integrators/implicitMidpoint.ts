@@ -20,34 +20,32 @@ export const implicitMidpoint = {
   colour: 6,
   // #region step
   step(motion: Motion): void {
-    const { s, v, dt } = motion
+    const { dt } = motion
     const half = 0.5 * dt
-    // By how much a guess of v̄ misses its equation; the secant through the last two misses gives the next guess.
-    let guess = v
-    motion.s = s + half * guess
-    motion.accelerate()
-    let miss = half * motion.a
-    let change = miss
-    let iterations = 1
-    while (
-      Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) &&
-      iterations < MOST_ITERATIONS
-    ) {
-      guess += change
-      motion.s = s + half * guess
-      motion.v = guess
-      motion.accelerate()
-      const next = v - guess + half * motion.a
-      // Two guesses that miss alike point nowhere.
-      if (next === miss) iterations = MOST_ITERATIONS
-      // The quotient first: the product of two small numbers may underflow, and look as if solved.
-      else change *= next / (miss - next)
-      miss = next
-      iterations++
-    }
-    if (iterations >= MOST_ITERATIONS) motion.unsolved++
-    motion.s = s + guess * dt
-    motion.v = guess + guess - v
+    let { s, v } = motion
+    do {
+      // By how much a guess of v̄ misses its equation; the secant through the last two misses gives the next guess.
+      let guess = v
+      let miss = half * motion.acceleration(s + half * guess, guess)
+      let change = miss
+      let iterations = 1
+      while (
+        Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) &&
+        iterations < MOST_ITERATIONS
+      ) {
+        guess += change
+        const next = v - guess + half * motion.acceleration(s + half * guess, guess)
+        // Two guesses that miss alike point nowhere.
+        if (next === miss) iterations = MOST_ITERATIONS
+        // The quotient first: the product of two small numbers may underflow, and look as if solved.
+        else change *= next / (miss - next)
+        miss = next
+        iterations++
+      }
+      if (iterations >= MOST_ITERATIONS) motion.leaveUnsolved()
+      s = s + guess * dt
+      v = guess + guess - v
+    } while (motion.goesOn(s, v))
   },
   // #endregion
 } as const satisfies Integrator

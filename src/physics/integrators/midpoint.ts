@@ -15,14 +15,14 @@ export const midpoint = {
   colour: 3,
   // #region step
   step(motion: Motion): void {
-    const { s, v, dt } = motion
-    motion.accelerate()
-    const vHalf = v + 0.5 * dt * motion.a
-    motion.s = s + 0.5 * dt * v
-    motion.v = vHalf
-    motion.accelerate()
-    motion.s = s + vHalf * dt
-    motion.v = v + motion.a * dt
+    const { dt } = motion
+    let { s, v } = motion
+    do {
+      const vHalf = v + 0.5 * dt * motion.acceleration(s, v)
+      const aHalf = motion.acceleration(s + 0.5 * dt * v, vHalf)
+      s = s + vHalf * dt
+      v = v + aHalf * dt
+    } while (motion.goesOn(s, v))
   },
   // #endregion
 } as const satisfies Integrator

@@ -23,31 +23,20 @@ export const rk4 = {
   colour: 4,
   // #region step
   step(motion: Motion): void {
-    const { s, v, dt } = motion
+    const { dt } = motion
     const half = 0.5 * dt
-    motion.accelerate()
-    const a1 = motion.a
-
-    const v2 = v + half * a1
-    motion.s = s + half * v
-    motion.v = v2
-    motion.accelerate()
-    const a2 = motion.a
-
-    const v3 = v + half * a2
-    motion.s = s + half * v2
-    motion.v = v3
-    motion.accelerate()
-    const a3 = motion.a
-
-    const v4 = v + dt * a3
-    motion.s = s + dt * v3
-    motion.v = v4
-    motion.accelerate()
-    const a4 = motion.a
-
-    motion.s = s + (dt * (v + 2 * (v2 + v3) + v4)) / 6
-    motion.v = v + (dt * (a1 + 2 * (a2 + a3) + a4)) / 6
+    let { s, v } = motion
+    do {
+      const a1 = motion.acceleration(s, v)
+      const v2 = v + half * a1
+      const a2 = motion.acceleration(s + half * v, v2)
+      const v3 = v + half * a2
+      const a3 = motion.acceleration(s + half * v2, v3)
+      const v4 = v + dt * a3
+      const a4 = motion.acceleration(s + dt * v3, v4)
+      s = s + (dt * (v + 2 * (v2 + v3) + v4)) / 6
+      v = v + (dt * (a1 + 2 * (a2 + a3) + a4)) / 6
+    } while (motion.goesOn(s, v))
   },
   // #endregion
 } as const satisfies Integrator

@@ -16,10 +16,12 @@ export const semiImplicitEuler = {
   colour: 1,
   // #region step
   step(motion: Motion): void {
-    const { s, v, dt } = motion
-    motion.accelerate()
-    motion.v = v + motion.a * dt
-    motion.s = s + motion.v * dt
+    const { dt } = motion
+    let { s, v } = motion
+    do {
+      v = v + motion.acceleration(s, v) * dt
+      s = s + v * dt
+    } while (motion.goesOn(s, v))
   },
   // #endregion
 } as const satisfies Integrator

@@ -21,15 +21,21 @@ export const velocityVerlet = {
   colour: 2,
   // #region step
   step(motion: Motion): void {
-    const { s, v, dt } = motion
-    // The last step's a′ is this step's a, unless the force looks at the velocity.
-    if (!motion.known) motion.accelerate()
-    const { a } = motion
-    motion.s = s + (v + 0.5 * a * dt) * dt
-    motion.v = v + a * dt
-    motion.accelerate()
-    motion.v = v + 0.5 * (a + motion.a) * dt
-    motion.known = motion.reusable
+    const { dt, reusable } = motion
+    let { s, v } = motion
+    if (!motion.known) motion.a = motion.acceleration(s, v)
+    let { a } = motion
+    let before = a
+    for (;;) {
+      before = a
+      s = s + (v + 0.5 * before * dt) * dt
+      a = motion.acceleration(s, v + before * dt)
+      v = v + 0.5 * (before + a) * dt
+      if (!motion.goesOn(s, v)) break
+      // This step's a′ is the next step's a, unless the force looks at the velocity.
+      if (!reusable) a = motion.acceleration(s, v)
+    }
+    motion.a = motion.left > 0 ? before : a
   },
   // #endregion
 } as const satisfies Integrator

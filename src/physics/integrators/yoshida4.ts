@@ -1,10 +1,10 @@
 import type { Integrator } from '../integrator.ts'
 import type { Motion } from '../motion.ts'
-import { velocityVerlet } from './velocityVerlet.ts'
 
 const CUBE_ROOT_OF_2 = 1.2599210498948732
 const OUTER = 1 / (2 - CUBE_ROOT_OF_2)
 const INNER = -CUBE_ROOT_OF_2 * OUTER
+const PARTS = [OUTER, INNER, OUTER]
 
 /** Three Verlet steps, forward, back and forward again, whose errors cancel (Yoshida, 1990). */
 export const yoshida4 = {
@@ -22,14 +22,25 @@ export const yoshida4 = {
   colour: 5,
   // #region step
   step(motion: Motion): void {
-    const { dt } = motion
-    motion.dt = OUTER * dt
-    velocityVerlet.step(motion)
-    motion.dt = INNER * dt
-    velocityVerlet.step(motion)
-    motion.dt = OUTER * dt
-    velocityVerlet.step(motion)
-    motion.dt = dt
+    const { dt, reusable } = motion
+    let { s, v } = motion
+    if (!motion.known) motion.a = motion.acceleration(s, v)
+    let { a } = motion
+    let first = a
+    for (;;) {
+      first = a
+      for (let i = 0; i < PARTS.length; i++) {
+        const part = PARTS[i]! * dt
+        if (i > 0 && !reusable) a = motion.acceleration(s, v)
+        const before = a
+        s = s + (v + 0.5 * before * part) * part
+        a = motion.acceleration(s, v + before * part)
+        v = v + 0.5 * (before + a) * part
+      }
+      if (!motion.goesOn(s, v)) break
+      if (!reusable) a = motion.acceleration(s, v)
+    }
+    motion.a = motion.left > 0 ? first : a
   },
   // #endregion
 } as const satisfies Integrator

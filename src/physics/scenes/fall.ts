@@ -1,5 +1,5 @@
 import { exactFall } from '../exact/fall.ts'
-import type { Law, Motion } from '../motion.ts'
+import type { Law } from '../law.ts'
 import type { NumberOption, Values } from '../options.ts'
 import type { Place, Scene } from '../scene.ts'
 import { freely } from './law.ts'
@@ -32,9 +32,7 @@ export const fall = {
   law: ({ gravity, mass, drag }: FallParameters): Law => ({
     ...freely(mass),
     // #region forces
-    forces: (motion: Motion) => {
-      motion.drive = gravity - (drag / mass) * motion.v * Math.abs(motion.v)
-    },
+    forces: [{ drive: gravity, perSquare: drag / mass, press: 0 }],
     // #endregion
     dependsOnSpeed: drag > 0,
     // v|v| has a kink at v = 0.

@@ -1,5 +1,5 @@
 import { exactTrack } from '../exact/track.ts'
-import type { Law, Motion } from '../motion.ts'
+import type { Contact, Law } from '../law.ts'
 import type { NumberOption, Values } from '../options.ts'
 import type { Scene } from '../scene.ts'
 import { placeOn } from '../track.ts'
@@ -49,18 +49,19 @@ export const halfPipe = {
         },
   law: ({ radius, gravity, mass, muStatic, muKinetic }: HalfPipeParameters): Law => {
     const direction = new SinCos()
+    // #region forces
+    const pipe = (block: Contact) => {
+      direction.angle = block.s / radius
+      direction.find()
+      block.drive = -gravity * direction.sin
+      block.press = gravity * direction.cos + (block.v * block.v) / radius
+    }
+    // #endregion
     return {
       ...rubbing(mass, muStatic, muKinetic),
-      // #region forces
-      forces: (motion: Motion) => {
-        direction.angle = motion.s / radius
-        direction.find()
-        motion.drive = -gravity * direction.sin
-        motion.press = gravity * direction.cos + (motion.v * motion.v) / radius
-      },
-      // #endregion
+      // Beyond the lips there is no track; a step that ends there has felt the pipe's forces.
+      forces: [pipe, pipe, pipe],
       dependsOnSpeed: muKinetic > 0,
-      constantPress: false,
       joints: [-lip(radius), lip(radius)],
       open: true,
     }

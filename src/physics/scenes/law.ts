@@ -1,14 +1,13 @@
-import type { Law } from '../motion.ts'
+import type { Law } from '../law.ts'
 
 /** The law of a block on which nothing acts: what a scene starts from and adds to. */
 export function freely(mass: number): Law {
   return {
-    forces: () => {},
+    forces: [{ drive: 0, press: 0 }],
     mass,
     muStatic: 0,
     muKinetic: 0,
     dependsOnSpeed: false,
-    constantPress: true,
     turnMatters: false,
     joints: [],
     open: false,

@@ -1,5 +1,5 @@
 import { exactTrack } from '../exact/track.ts'
-import type { Law, Motion } from '../motion.ts'
+import type { Law } from '../law.ts'
 import type { Values } from '../options.ts'
 import type { Scene } from '../scene.ts'
 import { placeOn, straight } from '../track.ts'
@@ -20,15 +20,10 @@ export const ramp = {
   facing: -1,
   law: ({ angle, muStatic, muKinetic, gravity, mass }: RampParameters): Law => {
     const { sin, cos } = sinCosDegrees(angle)
-    const drive = gravity * sin
-    const press = gravity * cos
     return {
       ...rubbing(mass, muStatic, muKinetic),
       // #region forces
-      forces: (motion: Motion) => {
-        motion.drive = drive
-        motion.press = press
-      },
+      forces: [{ drive: gravity * sin, press: gravity * cos }],
       // #endregion
     }
   },

@@ -1,5 +1,5 @@
 import { exactTrack } from '../exact/track.ts'
-import type { Law, Motion } from '../motion.ts'
+import type { Contact, Law } from '../law.ts'
 import type { NumberOption, Values } from '../options.ts'
 import type { Scene } from '../scene.ts'
 import { placeOn, straight } from '../track.ts'
@@ -61,21 +61,18 @@ export const runOut = {
     return {
       ...rubbing(mass, muStatic, muKinetic),
       // #region forces
-      forces: (motion: Motion) => {
-        if (motion.piece === 1) {
-          direction.angle = bend.slope - bend.curvature * (motion.s - bend.at)
+      forces: [
+        { drive: gravity * slope.sin, press: gravity * slope.cos },
+        (block: Contact) => {
+          direction.angle = bend.slope - bend.curvature * (block.s - bend.at)
           direction.find()
-          motion.drive = gravity * direction.sin
-          motion.press = gravity * direction.cos + motion.v * motion.v * bend.curvature
-        } else {
-          const piece = motion.piece === 0 ? slope : flat
-          motion.drive = gravity * piece.sin
-          motion.press = gravity * piece.cos
-        }
-      },
+          block.drive = gravity * direction.sin
+          block.press = gravity * direction.cos + block.v * block.v * bend.curvature
+        },
+        { drive: gravity * flat.sin, press: gravity * flat.cos },
+      ],
       // #endregion
       dependsOnSpeed: muKinetic > 0,
-      constantPress: false,
       turnMatters: true,
       joints: [bend.from, bend.to],
     }

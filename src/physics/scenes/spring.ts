@@ -1,5 +1,5 @@
 import { exactSpring } from '../exact/spring.ts'
-import type { Law, Motion } from '../motion.ts'
+import type { Law } from '../law.ts'
 import type { NumberOption, Values } from '../options.ts'
 import type { Scene } from '../scene.ts'
 import { placeOn, straight } from '../track.ts'
@@ -43,17 +43,12 @@ export const spring = {
   law: (parameters: SpringParameters): Law => {
     const { angle, stiffness, muStatic, muKinetic, gravity, mass } = parameters
     const { sin, cos } = sinCosDegrees(angle)
-    const weight = gravity * sin
     const perMass = stiffness / mass
-    const press = gravity * cos
     const law = rubbing(mass, muStatic, muKinetic)
     return {
       ...law,
       // #region forces
-      forces: (motion: Motion) => {
-        motion.drive = weight - perMass * motion.s
-        motion.press = press
-      },
+      forces: [{ drive: gravity * sin, perMetre: perMass, press: gravity * cos }],
       // #endregion
       // At least a million times the energy it can have.
       speedLimit: perMass > 0 ? 1000 * fastest(parameters) : law.speedLimit,

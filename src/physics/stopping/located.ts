@@ -42,7 +42,7 @@ function advanceToJump(motion: Motion, integrator: Integrator): void {
   }
   motion.begin()
   integrator.step(motion)
-  let turned = motion.turnMatters && (slip > 0 ? motion.v < 0 : motion.v > 0)
+  let turned = motion.law.turnMatters && (slip > 0 ? motion.v < 0 : motion.v > 0)
   if (turned) locate(motion, integrator, 'turn')
   const joint = motion.s > motion.to ? 'to' : motion.s < motion.from ? 'from' : undefined
   if (joint) {

@@ -4,10 +4,12 @@ import type { Motion } from '../motion.ts'
  * Decides for a block with v = 0 whether it stays: it does while |drive| ≤ μs press. Otherwise its slip direction becomes
  * that of the drive, and true is returned.
  */
+// #region rest
 export function setsOff(motion: Motion): boolean {
   const { law } = motion
   motion.slip = 0
-  motion.accelerate()
+  motion.feel()
+  motion.evaluations++
   if (Math.abs(motion.drive) <= law.muStatic * motion.press) {
     motion.end('at-rest')
     return false
@@ -17,3 +19,4 @@ export function setsOff(motion: Motion): boolean {
   motion.enterPiece()
   return true
 }
+// #endregion

@@ -49,11 +49,14 @@ export const fixed = {
       const due = wholeSteps(run.time, step) - dropped - taken
       const count = Math.min(due, maxSteps)
       dropped += due - count
-      for (let i = 0; i < count; i++) {
-        before.s = motion.s
+      if (count > 0) {
         motion.dt = step
-        run.step()
-        run.stateTime = ++taken * step
+        run.stateTime = 0
+        run.step(count - 1, taken)
+        before.s = motion.s
+        run.step(1, taken + count - 1)
+        taken += count
+        run.stateTime = taken * step
       }
       run.lostTime = dropped * step
       const accumulator = Math.max(0, run.time - (taken + dropped) * step)

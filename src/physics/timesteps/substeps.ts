@@ -23,11 +23,8 @@ export const substeps = {
       const wanted = parts(run.frameDuration, step)
       const count = Math.min(wanted, MOST_STEPS_A_FRAME)
       const length = run.frameDuration / wanted
-      for (let i = 0; i < count; i++) {
-        run.motion.dt = length
-        run.step()
-        run.stateTime += length
-      }
+      run.motion.dt = length
+      run.step(count)
       if (count < wanted) {
         lost.add((wanted - count) * length)
         run.lostTime = lost.value

@@ -1,0 +1,3 @@
+import { SlideFigure } from './slideFigure.ts'
+
+customElements.define('slide-figure', SlideFigure)

@@ -1,0 +1,48 @@
+import { parseExperiment } from '../../physics/index.ts'
+import type { Experiment, SceneId } from '../../physics/index.ts'
+import type { MethodChoice } from '../../measure/index.ts'
+import { writeAddress } from '../address.ts'
+import { checked } from '../check.ts'
+import type { LabView } from '../labView.ts'
+import { openingOf } from '../opening.ts'
+import { preset } from '../presets/preset.ts'
+import type { LabState } from '../state.ts'
+
+/** A run that was measured, and what was measured of it, in words. */
+export interface Measured {
+  readonly experiment: Experiment
+  readonly label: string
+  readonly words: string
+}
+
+/** Shows a measured run in a lab, as one change: the selected runner becomes it, the others stay. */
+export function loadInto(lab: LabView, { experiment, label, words }: Measured): void {
+  const { state } = lab.simulated
+  const { scene, parameters, duration, ...own } = parseExperiment(experiment)
+  const runners = state.runners.map((runner, i) =>
+    i === lab.selected ? { ...runner, ...own, hidden: false } : runner,
+  )
+  const next: LabState = { scene, parameters, duration, runners }
+  lab.load(preset('', label, words, () => checked(next)))
+}
+
+/** Shows a scene in a lab with one method for all of its runners, as one change. */
+export function loadMethod(
+  lab: LabView,
+  scene: SceneId,
+  method: MethodChoice,
+  { label, words }: Pick<Measured, 'label' | 'words'>,
+): void {
+  const { state } = lab.simulated
+  const shown = scene === state.scene ? state : openingOf(scene)
+  const runners = state.runners.map((runner) => ({ ...runner, ...method }))
+  lab.load(preset('', label, words, () => checked({ ...shown, runners })))
+}
+
+/** Has the page's own lab show it, by way of the address. */
+export function loadByAddress({ experiment }: Measured): void {
+  const { scene, parameters, duration, ...own } = parseExperiment(experiment)
+  const start = openingOf(scene)
+  const runners = [{ ...start.runners[0]!, ...own }]
+  location.hash = writeAddress({ ...start, parameters, duration, runners })
+}

@@ -1,0 +1,62 @@
+import { cellKinds, coarseCell, ROUNDING } from '../../measure/index.ts'
+import type { CellKind, MapRequest, MapRow } from '../../measure/index.ts'
+
+/** What is known of a cell. */
+export interface Cell {
+  readonly kind: CellKind
+  /** [m] */
+  readonly value: number
+}
+
+/** A map as far as it is computed. */
+export class MapCells {
+  readonly request: MapRequest
+  private readonly rows: (MapRow | undefined)[]
+
+  constructor(request: MapRequest) {
+    this.request = request
+    this.rows = Array.from({ length: request.rows })
+  }
+
+  take(row: MapRow): void {
+    this.rows[row.row] = row
+  }
+
+  /** A cell, or as long as it is not computed the one that the first look has in its stead. */
+  cell(column: number, row: number): Cell {
+    const own = this.own(column, row)
+    if (own.kind !== 'pending') return own
+    const { columns, rows } = this.request
+    return this.own(coarseCell(column, columns), coarseCell(row, rows))
+  }
+
+  /** The powers of ten that the values lie between, those that are rounding left aside. */
+  decades(): { low: number; high: number } {
+    let low = Infinity
+    let high = -Infinity
+    for (const row of this.rows)
+      for (const value of row?.values ?? []) {
+        if (!(value >= ROUNDING && value < Infinity)) continue
+        low = Math.min(low, value)
+        high = Math.max(high, value)
+      }
+    if (low > high) return { low: -3, high: 0 }
+    const top = Math.ceil(Math.log10(high) - 1e-9)
+    return { low: Math.min(top - 1, Math.floor(Math.log10(low) + 1e-9)), high: top }
+  }
+
+  /** How many cells there are for which something holds. */
+  count(holds: (cell: Cell) => boolean): number {
+    const { columns, rows } = this.request
+    let count = 0
+    for (let row = 0; row < rows; row++)
+      for (let column = 0; column < columns; column++) if (holds(this.own(column, row))) count++
+    return count
+  }
+
+  private own(column: number, row: number): Cell {
+    const known = this.rows[row]
+    if (!known) return { kind: 'pending', value: NaN }
+    return { kind: cellKinds[known.kinds[column]!]!, value: known.values[column]! }
+  }
+}

@@ -1,0 +1,54 @@
+import { ROUNDING } from '../../measure/index.ts'
+import type { CellKind } from '../../measure/index.ts'
+import type { Palette, Rgb } from '../../view/palette.ts'
+import type { MapCells } from './mapCells.ts'
+import { rampColour } from './ramp.ts'
+
+/** Paints a map, a pixel for each cell. Cells without a number are hatched, each kind in its own way. */
+export function paintMap(
+  canvas: HTMLCanvasElement,
+  cells: MapCells,
+  palette: Palette,
+  dark: boolean,
+): void {
+  const { columns, rows } = cells.request
+  const { low, high } = cells.decades()
+  const pen = canvas.getContext('2d')!
+  const [ground, soft, ink, sheet] = [
+    palette.ground,
+    palette.inkSoft,
+    palette.ink,
+    palette.sheet,
+  ].map((colour) => toRgb(pen, colour)) as [Rgb, Rgb, Rgb, Rgb]
+  const colourOf = (kind: CellKind, value: number, column: number, row: number): Rgb => {
+    switch (kind) {
+      case 'measured':
+        return value < ROUNDING ? sheet : rampColour((Math.log10(value) - low) / (high - low), dark)
+      case 'left-the-track':
+        return (column + row) % 4 === 0 ? soft : ground
+      case 'diverged':
+        return (column - row + rows) % 4 < 2 ? ink : soft
+      case 'refused':
+        return column % 4 === 0 && row % 4 === 0 ? soft : ground
+      default:
+        return ground
+    }
+  }
+  const image = pen.createImageData(columns, rows)
+  for (let row = 0; row < rows; row++)
+    for (let column = 0; column < columns; column++) {
+      const { kind, value } = cells.cell(column, row)
+      const colour = colourOf(kind, value, column, row)
+      const at = 4 * ((rows - 1 - row) * columns + column)
+      image.data.set(colour, at)
+      image.data[at + 3] = 255
+    }
+  pen.putImageData(image, 0, 0)
+}
+
+/** As the browser writes an opaque colour: “#1b2026”. */
+function toRgb(pen: CanvasRenderingContext2D, colour: string): Rgb {
+  pen.fillStyle = colour
+  const hex = Number.parseInt(String(pen.fillStyle).slice(1), 16)
+  return [hex >> 16, (hex >> 8) & 255, hex & 255]
+}

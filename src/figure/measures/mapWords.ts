@@ -1,0 +1,91 @@
+import { rateAt, REFERENCE_RATE, ROUNDING, valueAt } from '../../measure/index.ts'
+import type { MapRequest } from '../../measure/index.ts'
+import { scenes } from '../../physics/index.ts'
+import type { NumberOption, Scene } from '../../physics/index.ts'
+import { metres, plain } from '../../view/numbers.ts'
+import type { Cell, MapCells } from './mapCells.ts'
+import { metresText } from './scale.ts'
+
+/** The parameter that a map is drawn over. */
+export function mappedOption({ experiment, parameter }: MapRequest): NumberOption {
+  const scene: Scene = scenes.find(({ id }) => id === experiment.scene)!
+  return scene.parameters[parameter]!
+}
+
+/** “Angle 15°”. */
+export function valueText({ label, unit }: NumberOption, value: number): string {
+  return `${label} ${plain(value)}${unit && unit !== '°' ? '\u2009' : ''}${unit}`
+}
+
+/** “24.1 fps, angle 15.2°”. */
+export function placeText(request: MapRequest, column: number, row: number): string {
+  const place = valueText(mappedOption(request), valueAt(request, row)).toLowerCase()
+  return `${plain(rateAt(request, column))} fps, ${keepUnits(request, place)}`
+}
+
+/** What a cell says, in a few words that can stand after “it”. */
+export function cellWords({ kind, value }: Cell, { of }: MapRequest): string {
+  switch (kind) {
+    case 'measured': {
+      const size = metres(Number(value.toPrecision(2)))
+      if (of === 'spread')
+        return value < ROUNDING
+          ? `ends where it does at ${REFERENCE_RATE} fps, to rounding`
+          : `ends ${size} from where it does at ${REFERENCE_RATE} fps`
+      return value < ROUNDING ? 'is exact to rounding' : `is never off by more than ${size}`
+    }
+    case 'left-the-track':
+      return 'leaves the track'
+    case 'diverged':
+      return 'blows up'
+    case 'refused':
+      return 'can’t be run: the block would not be on the track'
+    case 'unknown':
+      return 'has no known true motion'
+    case 'pending':
+      return 'is not measured yet'
+  }
+}
+
+/** The whole map in a few sentences. */
+export function summary(cells: MapCells): string {
+  const { request } = cells
+  const total = request.columns * request.rows
+  const share = (text: string, count: number) =>
+    count > 0 ? [`${percent(count / total)} ${text}`] : []
+  const what = request.of === 'spread' ? 'ends the same' : 'is exact'
+  const { low, high } = cells.decades()
+  const between = cells.count(({ kind, value }) => kind === 'measured' && value >= ROUNDING)
+  return `Of all runs, ${[
+    ...share(
+      `${what} to rounding`,
+      cells.count(({ value }) => value < ROUNDING),
+    ),
+    ...share(`lies between ${metresText(low)} and ${metresText(high)}`, between),
+    ...share(
+      'leaves the track',
+      cells.count(({ kind }) => kind === 'left-the-track'),
+    ),
+    ...share(
+      'blows up',
+      cells.count(({ kind }) => kind === 'diverged'),
+    ),
+    ...share(
+      'can’t be run',
+      cells.count(({ kind }) => kind === 'refused'),
+    ),
+  ].join(', ')}.`
+}
+
+function percent(part: number): string {
+  const size = 100 * part
+  return size > 99 && size < 100
+    ? '99\u2009%'
+    : `${size < 1 ? '<\u20091' : Math.round(size)}\u2009%`
+}
+
+/** Units keep their letters’ case when a label is written small. */
+function keepUnits(request: MapRequest, text: string): string {
+  const { unit } = mappedOption(request)
+  return unit ? text.slice(0, text.length - unit.length) + unit : text
+}

@@ -1,0 +1,4 @@
+import { SpeedDiagram } from './speedDiagram.ts'
+
+/* To be imported for the element alone, by the lab and by figures. */
+customElements.define('speed-diagram', SpeedDiagram)

@@ -1,0 +1,37 @@
+type Seen = (isSeen: boolean) => void
+
+/** One observer for everything on the page that asks the same. */
+class Sight {
+  private readonly listeners = new Map<Element, Set<Seen>>()
+  private readonly observer: IntersectionObserver
+
+  constructor(rootMargin: string) {
+    this.observer = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries)
+          for (const listener of this.listeners.get(target) ?? []) listener(isIntersecting)
+      },
+      { rootMargin },
+    )
+  }
+
+  readonly watch = (element: Element, seen: Seen): (() => void) => {
+    const listeners = this.listeners.get(element) ?? new Set()
+    this.listeners.set(element, listeners.add(seen))
+    // Observed anew, it is told to those who came late too.
+    this.observer.unobserve(element)
+    this.observer.observe(element)
+    return () => {
+      listeners.delete(seen)
+      if (listeners.size > 0) return
+      this.listeners.delete(element)
+      this.observer.unobserve(element)
+    }
+  }
+}
+
+/** Calls back when an element comes into the window and when it leaves. Returns its undoing. */
+export const onSight = new Sight('0px').watch
+
+/** The same for the window and as much again above and below: time to make ready what will be seen. */
+export const onNear = new Sight('100% 0px').watch

@@ -1,0 +1,147 @@
+import { LitElement } from 'lit'
+import { simulate } from '../physics/index.ts'
+import type { Trajectory } from '../physics/index.ts'
+import type { Values } from './figures/control.ts'
+import type { Figure } from './figures/figure.ts'
+import { figures } from './figures/index.ts'
+import { Playback } from './playback.ts'
+import { onNear } from './sight.ts'
+import type { Live } from './slideFigure/live.ts'
+
+/** So long after the last change or frame the outcome is told to those who can't see it [ms]. */
+const PAUSE = 600
+
+/**
+ * A live figure of the tutorial. Until it comes near the window it is what stands in it, a still of the same size.
+ *
+ * - attribute `name`: which figure, one of `figures/index.ts`
+ * - attribute `live`: it has it as soon as it is alive
+ * - `values`: of its controls, by name; empty until it is alive
+ * - `set(values)`: changes some of them, numbers or the text of an address; one that is not alive yet comes alive first.
+ *   Throws RangeError for a control or a value that there is not
+ * - `trajectories`: what it shows, as `simulate` returned them
+ * - `playback`: its cursor on time
+ * - event `change`, with the values as `detail`: after every change, by the reader or by `set`
+ */
+export class SlideFigure extends LitElement {
+  static override properties = { name: {}, view: { state: true }, spoken: { state: true } }
+
+  declare name: string
+  /** What is shown; undefined until it is alive. */
+  declare view: { readonly values: Values; readonly runs: readonly Trajectory[] } | undefined
+  /** The outcome as it was when all last came to rest. */
+  declare spoken: string
+  readonly playback = new Playback(this)
+  private figure: Figure | undefined
+  private live: Live | undefined
+  private guest: HTMLElement | undefined
+  private waking: Promise<void> | undefined
+  private asked: Record<string, unknown> = {}
+  private kept = new Map<string, Trajectory>()
+  private timer: ReturnType<typeof setTimeout> | undefined
+  private stopWatching = () => {}
+
+  constructor() {
+    super()
+    this.spoken = ''
+    this.playback.watch(this, 'write', () => this.tellLater())
+  }
+
+  get values(): Values {
+    return this.view?.values ?? {}
+  }
+
+  get trajectories(): readonly Trajectory[] {
+    return this.view?.runs ?? []
+  }
+
+  get duration(): number {
+    const { figure, view } = this
+    return (view && figure?.duration?.(view.values)) ?? 0
+  }
+
+  get recorded(): readonly Trajectory[] {
+    return this.trajectories
+  }
+
+  readonly set = (given: Readonly<Record<string, unknown>>): void => {
+    const { live, figure, view } = this
+    if (!live || !figure || !view) {
+      this.asked = { ...this.asked, ...given }
+      void this.wake()
+      return
+    }
+    this.show(live.follow(figure, given, view.values))
+    this.tellLater()
+    this.dispatchEvent(new CustomEvent('change', { detail: this.values, bubbles: true }))
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback()
+    this.stopWatching = onNear(this, (isNear) => {
+      if (isNear) void this.wake()
+    })
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback()
+    this.stopWatching()
+    clearTimeout(this.timer)
+  }
+
+  override createRenderRoot(): this {
+    return this
+  }
+
+  override shouldUpdate(): boolean {
+    return this.live !== undefined
+  }
+
+  override render() {
+    const { live, figure, view, playback, spoken, guest } = this
+    return live!.face({ figure: figure!, ...view!, playback, spoken, guest, set: this.set })
+  }
+
+  private wake(): Promise<void> {
+    return (this.waking ??= this.comeAlive())
+  }
+
+  private async comeAlive(): Promise<void> {
+    const entry = figures.find(({ id }) => id === this.name)
+    if (!entry) throw new RangeError(`There is no figure “${this.name}”.`)
+    const [{ live }, figure] = await Promise.all([import('./slideFigure/live.ts'), entry.load()])
+    this.guest = await live.guest(figure)
+    const asked = this.asked
+    this.figure = figure
+    this.live = live
+    this.style.cssText = live.frameOf(figure)
+    this.role = 'group'
+    this.ariaLabel = figure.title
+    this.show(live.initialValues(figure.controls))
+    if (figure.opensAtStart) this.playback.toStart()
+    // The still goes in the same turn in which the live picture comes.
+    this.replaceChildren()
+    this.toggleAttribute('live', true)
+    if (Object.keys(asked).length > 0) this.set(asked)
+  }
+
+  private show(values: Values): void {
+    const runs = new Map<string, Trajectory>()
+    const trajectories = this.figure!.experiments(values).map((experiment) => {
+      const key = JSON.stringify(experiment)
+      const trajectory = runs.get(key) ?? this.kept.get(key) ?? simulate(experiment)
+      runs.set(key, trajectory)
+      return trajectory
+    })
+    this.kept = runs
+    this.view = { values, runs: trajectories }
+  }
+
+  private tellLater(): void {
+    clearTimeout(this.timer)
+    this.timer = setTimeout(() => {
+      const { figure, view, playback } = this
+      if (figure && view) this.spoken = figure.says(view.values, view.runs, playback.time)
+    }, PAUSE)
+  }
+}

@@ -1,0 +1,73 @@
+import { html, nothing } from 'lit'
+import type { Trajectory } from '../../physics/index.ts'
+import { raw } from '../../view/numbers.ts'
+import { atNow } from '../atNow.ts'
+import type { Values } from '../figures/control.ts'
+import type { Figure, View } from '../figures/figure.ts'
+import type { Playback } from '../playback.ts'
+import { controlsOf } from './controls.ts'
+import { transportOf } from './transport.ts'
+
+/** What a live figure is made from. */
+export interface Face {
+  readonly figure: Figure
+  readonly values: Values
+  readonly runs: readonly Trajectory[]
+  readonly playback: Playback
+  readonly spoken: string
+  /** What takes the place of the pictures. */
+  readonly guest: HTMLElement | undefined
+  readonly set: (values: Readonly<Record<string, unknown>>) => void
+}
+
+/** A figure: its pictures, the controls below them, the outcome. */
+export function face(shown: Face) {
+  const { figure, values, runs, playback, spoken, guest } = shown
+  const says = atNow(playback, (time) => figure.says(values, runs, time))
+  return html`<div class="pictures" @change=${hush} @input=${hush}>${guest ?? pictures(shown)}</div>
+    <div class="below" @change=${hush} @input=${hush}>
+      ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
+      <p class="says">${says}</p>
+      <p class="visually-hidden" aria-live="polite">${spoken}</p>
+    </div>`
+}
+
+function pictures({ figure, values, runs, playback, set }: Face) {
+  const view = (time: number): View => ({ values, runs, time })
+  return figure.panels.map(
+    (panel, i) =>
+      html`<figure-picture
+        .panel=${panel}
+        .controls=${figure.controls}
+        .view=${view}
+        .values=${values}
+        .playback=${playback}
+        .set=${set}
+        .description=${i === 0 ? figure.pictured : ''}
+      ></figure-picture>`,
+  )
+}
+
+/** A field's own event is none of the figure's. */
+function hush(event: Event): void {
+  event.stopPropagation()
+}
+
+function readings({ figure, values, runs, playback }: Face) {
+  const { readings } = figure
+  if (!readings) return nothing
+  return html`<dl class="readings">
+    ${readings(values, runs, playback.time).map(({ label, raw: whole, colour }, i) => {
+      const text = atNow(playback, (time) => readings(values, runs, time)[i]!.text)
+      return html`<div>
+        <dt>${label}</dt>
+        <dd
+          style=${colour ? `color: var(${colour})` : nothing}
+          title=${whole === undefined ? nothing : raw(whole)}
+        >
+          ${text}
+        </dd>
+      </div>`
+    })}
+  </dl>`
+}

@@ -1,0 +1,135 @@
+import { ExperimentError, simulate } from '../physics/index.ts'
+import type { Experiment, Outcome, Trajectory } from '../physics/index.ts'
+import { presentationErrorSizes } from './error.ts'
+
+/** A map over frame rates, from left to right, and the values of a parameter, from bottom to top. */
+export interface MapRequest {
+  /** Its frames say nothing, and its parameter is replaced: the map's are taken. */
+  readonly experiment: Experiment
+  /** The largest error of a run, or how far it ends from the run at `REFERENCE_RATE`. */
+  readonly of: 'error' | 'spread'
+  readonly parameter: string
+  readonly from: number
+  readonly to: number
+  /** Frames a second at the left edge and at the right; the axis is logarithmic. */
+  readonly slowest: number
+  readonly fastest: number
+  readonly columns: number
+  readonly rows: number
+}
+
+/** Some cells of one row of a map. */
+export interface MapRow {
+  readonly row: number
+  /** [m], for the cells that are `measured`. */
+  readonly values: Float64Array
+  /** What each cell is, as a place in `cellKinds`. */
+  readonly kinds: Uint8Array
+}
+
+/** A cell may not have been looked at; have a value; or none, for one of these reasons. */
+export const cellKinds = [
+  'pending',
+  'measured',
+  'left-the-track',
+  'diverged',
+  'refused',
+  'unknown',
+] as const
+export type CellKind = (typeof cellKinds)[number]
+
+/** What a spread is taken against: most players' frame rate [fps]. */
+export const REFERENCE_RATE = 60
+
+/** The first look at a map takes every so manieth row and column. */
+export const COARSE = 8
+
+/** The frame rate at the middle of a column, to three digits, as a reader would type it [fps]. */
+export function rateAt({ slowest, fastest, columns }: MapRequest, column: number): number {
+  return short(slowest * (fastest / slowest) ** ((column + 0.5) / columns), 3)
+}
+
+/** The parameter's value at the middle of a row, to four digits. */
+export function valueAt({ from, to, rows }: MapRequest, row: number): number {
+  return short(from + ((to - from) * (row + 0.5)) / rows, 4)
+}
+
+/** The run behind a cell. */
+export function mappedExperiment(request: MapRequest, column: number, row: number): Experiment {
+  return cellExperiment(request, rateAt(request, column), row)
+}
+
+/** The row and column on which the first, coarse look stands for the cells around them. */
+export function coarseCell(index: number, count: number): number {
+  return Math.min(count - 1, index - (index % COARSE) + COARSE / 2)
+}
+
+/**
+ * Computes a map, a row at a time: first a coarse one of every eighth cell both ways, then all of it. A row of the second
+ * look has all of its cells.
+ */
+export function* rateMap(request: MapRequest): Generator<MapRow> {
+  const { rows, columns } = request
+  for (const row of coarseCells(rows)) yield mapRow(request, row, coarseCells(columns))
+  const all = Array.from({ length: columns }, (_, column) => column)
+  for (let row = 0; row < rows; row++) yield mapRow(request, row, all)
+}
+
+/** How many rows `rateMap` yields. */
+export function rowsOf({ rows }: MapRequest): number {
+  return coarseCells(rows).length + rows
+}
+
+function coarseCells(count: number): number[] {
+  return Array.from({ length: Math.ceil(count / COARSE) }, (_, i) => coarseCell(i * COARSE, count))
+}
+
+function mapRow(request: MapRequest, row: number, columns: readonly number[]): MapRow {
+  const values = new Float64Array(request.columns).fill(NaN)
+  const kinds = new Uint8Array(request.columns)
+  try {
+    const measure = request.of === 'error' ? largestError : apartFrom(request, row)
+    for (const column of columns) {
+      const run = simulate(mappedExperiment(request, column, row))
+      const value = measure(run)
+      values[column] = value
+      kinds[column] = cellKinds.indexOf(kindOf(run.outcome, value))
+    }
+  } catch (error) {
+    if (!(error instanceof ExperimentError)) throw error
+    // What can't be run at one frame rate is a matter of the parameter, and so of the row.
+    kinds.fill(cellKinds.indexOf('refused'))
+  }
+  return { row, values, kinds }
+}
+
+function largestError(run: Trajectory): number {
+  return presentationErrorSizes(run).largest
+}
+
+function apartFrom(request: MapRequest, row: number): (run: Trajectory) => number {
+  const reference = endOf(simulate(cellExperiment(request, REFERENCE_RATE, row)))
+  return (run) => Math.abs(endOf(run) - reference)
+}
+
+function endOf({ drawnS }: Trajectory): number {
+  return drawnS[drawnS.length - 1]!
+}
+
+function kindOf({ kind }: Outcome, value: number): CellKind {
+  if (kind === 'left-the-track' || kind === 'diverged') return kind
+  return Number.isFinite(value) ? 'measured' : 'unknown'
+}
+
+function cellExperiment(request: MapRequest, fps: number, row: number): Experiment {
+  const { experiment, parameter } = request
+  return {
+    ...experiment,
+    parameters: { ...experiment.parameters, [parameter]: valueAt(request, row) },
+    frames: { kind: 'steady', fps },
+  }
+}
+
+function short(value: number, digits: number): number {
+  return Number(value.toPrecision(digits))
+}

@@ -1,0 +1,54 @@
+import { integrators } from '../physics/index.ts'
+import type { Experiment, ResolvedExperiment } from '../physics/index.ts'
+import { frameRateSpread } from './spread.ts'
+
+/** A way to turn frames into motion. */
+export type MethodChoice = Readonly<
+  Pick<ResolvedExperiment, 'integrator' | 'stopping' | 'timestep'>
+>
+
+/** The paper's step, as a game would have it: whatever the frame lasted, times the new velocity; friction against it. */
+export const paperMethod: MethodChoice = {
+  integrator: 'semi-implicit-euler',
+  stopping: 'naive',
+  timestep: { kind: 'variable' },
+}
+
+/** The rows of the table: the paper's own step, then every integrator with one stopping rule and one timestep. */
+export function spreadMethods({
+  stopping,
+  timestep,
+}: Pick<MethodChoice, 'stopping' | 'timestep'>): readonly MethodChoice[] {
+  return [paperMethod, ...integrators.map(({ id }) => ({ integrator: id, stopping, timestep }))]
+}
+
+/** Methods × experiments. */
+export interface SpreadRequest {
+  readonly methods: readonly MethodChoice[]
+  /** A column each; what they say of method and frames is replaced. */
+  readonly experiments: readonly Experiment[]
+}
+
+/** The spreads of one method [m], one for each experiment. */
+export interface SpreadRow {
+  readonly row: number
+  readonly spreads: Float64Array
+}
+
+/**
+ * Computes the table, row by row. Between two cells it yields nothing, so that whoever drives it can stop.
+ *
+ * @throws ExperimentError for an experiment that can't be run
+ */
+export function* spreadTable({
+  methods,
+  experiments,
+}: SpreadRequest): Generator<SpreadRow | undefined> {
+  for (const [row, method] of methods.entries()) {
+    const spreads = new Float64Array(experiments.length)
+    for (const [column, experiment] of experiments.entries()) {
+      spreads[column] = frameRateSpread({ ...experiment, ...method } as Experiment)
+      yield column === experiments.length - 1 ? { row, spreads } : undefined
+    }
+  }
+}

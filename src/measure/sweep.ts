@@ -1,0 +1,139 @@
+import { integrators, simulate } from '../physics/index.ts'
+import type { Experiment, IntegratorId, Outcome } from '../physics/index.ts'
+import { presentationErrorSizes, ROUNDING } from './error.ts'
+import { fittedOrder } from './order.ts'
+import { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
+import type { Clock } from './work.ts'
+
+/** What is swept: methods × step lengths, everything else as in the experiment. */
+export interface SweepRequest {
+  /** Its integrator, timestep and frames say nothing: the sweep's do. */
+  readonly experiment: Experiment
+  readonly methods: readonly IntegratorId[]
+  /** Steps a second. */
+  readonly rates: readonly number[]
+}
+
+/** What a method did, a number for each rate of the sweep. */
+export interface SweepCurve {
+  readonly method: IntegratorId
+  /** The largest error of the run [m]. */
+  readonly errors: Float64Array
+  /** The root mean square of its errors [m], which orders are fitted to. */
+  readonly rms: Float64Array
+  /** Evaluations of the acceleration for a simulated second. */
+  readonly evaluations: Float64Array
+  /** How each run ended, as a place in `outcomeKinds`. */
+  readonly outcomes: Uint8Array
+}
+
+/** How long a simulated second takes with a method, a number for each rate [ns]. */
+export interface TimedCurve {
+  readonly method: IntegratorId
+  readonly nanoseconds: Float64Array
+}
+
+export const outcomeKinds: readonly Outcome['kind'][] = [
+  'moving',
+  'at-rest',
+  'left-the-track',
+  'diverged',
+]
+
+/** From a slide show to what no screen shows, about evenly on a logarithmic scale [steps/s]. */
+export const sweepRates: readonly number[] = [
+  ...[5, 7.5, 10, 15, 20, 30, 45, 60, 90, 120, 180, 240, 360, 480, 720, 960],
+]
+
+/** All methods there are. */
+export const sweepMethods: readonly IntegratorId[] = integrators.map(({ id }) => id)
+
+/** How often the time of a point is taken: the least of them counts. */
+const ROUNDS = 2
+
+/** An order is fitted to the finest so many points above rounding, and to no fewer than three. */
+const FITTED = 6
+
+/** The run behind a point: a step a frame, so that the lab shows the very same. */
+export function sweptExperiment(
+  { experiment }: Pick<SweepRequest, 'experiment'>,
+  integrator: IntegratorId,
+  rate: number,
+): Experiment {
+  const frames = { kind: 'steady', fps: rate } as const
+  return { ...experiment, integrator, timestep: { kind: 'variable' }, frames }
+}
+
+/**
+ * Runs the sweep, method by method. Between two points it yields nothing, so that whoever drives it can stop.
+ *
+ * @throws ExperimentError for an experiment that can't be run
+ */
+export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined> {
+  const { methods, rates } = request
+  for (const method of methods) {
+    const column = () => new Float64Array(rates.length)
+    const curve = { errors: column(), rms: column(), evaluations: column() }
+    const outcomes = new Uint8Array(rates.length)
+    for (const [i, rate] of rates.entries()) {
+      const run = simulate(sweptExperiment(request, method, rate))
+      const { largest, rms } = presentationErrorSizes(run)
+      curve.errors[i] = largest
+      curve.rms[i] = rms
+      curve.evaluations[i] = evaluationsPerSecond(run)
+      outcomes[i] = outcomeKinds.indexOf(run.outcome.kind)
+      yield i === rates.length - 1 ? { method, ...curve, outcomes } : undefined
+    }
+  }
+}
+
+/**
+ * Takes the time of each point of a sweep, method by method. It yields as `sweep` does.
+ *
+ * @throws ExperimentError for an experiment that can't be run
+ */
+export function* timedSweep(
+  request: SweepRequest,
+  clock: Clock,
+): Generator<TimedCurve | undefined> {
+  const { methods, rates } = request
+  for (const method of methods) {
+    const nanoseconds = new Float64Array(rates.length).fill(Infinity)
+    for (const [i, rate] of rates.entries())
+      for (let round = 0; round < ROUNDS; round++) {
+        const experiment = sweptExperiment(request, method, rate)
+        nanoseconds[i] = Math.min(nanoseconds[i]!, nanosecondsPerSecond(experiment, clock))
+        const last = i === rates.length - 1 && round === ROUNDS - 1
+        yield last ? { method, nanoseconds } : undefined
+      }
+  }
+}
+
+/** A point stands for a whole run: one that left the track or blew up, or has no truth to be held to, does not count. */
+export function counts({ errors, outcomes }: SweepCurve, i: number): boolean {
+  const kind = outcomeKinds[outcomes[i]!]!
+  return (kind === 'moving' || kind === 'at-rest') && Number.isFinite(errors[i]!)
+}
+
+/** Every run that counts is exact to rounding. */
+export function isExact(curve: SweepCurve): boolean {
+  const counting = Array.from(curve.errors).filter((_, i) => counts(curve, i))
+  return counting.length > 0 && counting.every((error) => error < ROUNDING)
+}
+
+/**
+ * The order that a method shows in a sweep: fitted to the root mean square errors of its finest steps that are still
+ * well above rounding. NaN where fewer than three are left.
+ */
+export function orderOfCurve(curve: SweepCurve, rates: readonly number[]): number {
+  const fine = rates
+    .map((rate, i) => ({ step: 1 / rate, error: curve.rms[i]!, whole: counts(curve, i) }))
+    .filter(({ error, whole }) => whole && error > 10 * ROUNDING)
+    .sort((a, b) => a.step - b.step)
+    .slice(0, FITTED)
+  if (fine.length < 3) return NaN
+  return fittedOrder(
+    fine.map(({ step }) => step),
+    fine.map(({ error }) => error),
+  )
+}

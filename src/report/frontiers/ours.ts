@@ -1,0 +1,101 @@
+import { createRun, integrators, simulate } from '../../physics/index.ts'
+import type { Experiment, IntegratorId } from '../../physics/index.ts'
+import {
+  counts,
+  evaluationsPerSecond,
+  orderOfCurve,
+  outcomeKinds,
+  presentationErrorSizes,
+} from '../../measure/index.ts'
+import type { SweepCurve } from '../../measure/index.ts'
+import type { WorkCurve } from '../schema.ts'
+import { median, timeRounds } from '../timing/rounds.ts'
+import type { Care, Work } from '../timing/rounds.ts'
+import type { Problem } from './problems.ts'
+
+/** Steps a second: from a slide show to far beyond any screen, about √2 apart. */
+export const rates: readonly number[] = Array.from({ length: 12 }, (_, i) => 2 ** i).flatMap(
+  (power) => [5 * power, 7 * power],
+)
+
+/** The error is looked at in frames, of one step each up to here and of 2, 4, 8 … beyond. */
+const MOST_FRAMES = 1000
+
+/** A method of ours at all step lengths. Time is taken of the steps alone, a second's worth at a time. */
+export function ourCurve(problem: Problem, integrator: IntegratorId, care: Care): WorkCurve {
+  const curve = swept(problem, integrator)
+  const times = timeRounds(
+    rates.map((rate) => stepping(problem, integrator, rate)),
+    care,
+  )
+  const { label, colour } = integrators.find(({ id }) => id === integrator)!
+  const order = orderOfCurve(curve, rates)
+  return {
+    id: integrator,
+    label,
+    stopping: 'located',
+    colour,
+    order: Number.isFinite(order) ? order : null,
+    points: rates.flatMap((rate, i) =>
+      counts(curve, i)
+        ? {
+            setting: 1 / rate,
+            error: curve.errors[i]!,
+            evaluations: curve.evaluations[i]!,
+            time: median(times[i]!),
+          }
+        : [],
+    ),
+  }
+}
+
+/** The run behind a point. */
+export function rated({ experiment }: Problem, integrator: IntegratorId, rate: number): Experiment {
+  let fps = rate
+  while (fps > MOST_FRAMES) fps /= 2
+  return {
+    ...experiment,
+    integrator,
+    timestep: { kind: 'substeps', step: 1 / rate },
+    frames: { kind: 'steady', fps },
+  }
+}
+
+function swept(problem: Problem, method: IntegratorId): SweepCurve {
+  const runs = rates.map((rate) => simulate(rated(problem, method, rate)))
+  const sizes = runs.map(presentationErrorSizes)
+  return {
+    method,
+    errors: Float64Array.from(sizes, ({ largest }) => largest),
+    rms: Float64Array.from(sizes, ({ rms }) => rms),
+    evaluations: Float64Array.from(runs, evaluationsPerSecond),
+    outcomes: Uint8Array.from(runs, ({ outcome }) => outcomeKinds.indexOf(outcome.kind)),
+  }
+}
+
+function stepping({ experiment }: Problem, integrator: IntegratorId, rate: number): Work {
+  const { duration } = experiment
+  const stepped = {
+    ...experiment,
+    integrator,
+    timestep: { kind: 'substeps', step: 1 / rate },
+  } as const
+  // Enough runs at once that no clock is too coarse.
+  const many = Math.ceil(20000 / (rate * duration))
+  const start = () => Array.from({ length: many }, () => createRun(stepped))
+  let runs = start()
+  return {
+    units: many * duration,
+    prepare: () => {
+      runs = start()
+    },
+    run: () => {
+      let sum = 0
+      for (const run of runs) {
+        for (let second = 0; second < duration; second++) run.frame(1)
+        sum += run.motion.s
+      }
+      return sum
+    },
+  }
+}

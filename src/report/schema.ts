@@ -1,0 +1,213 @@
+import { amount, flag, list, number, orNull, record, table, text, word } from './shape.ts'
+import type { Shaped } from './shape.ts'
+
+/** Nanoseconds: the median of all rounds, the quickest and the slowest one. */
+const timing = record({ median: amount, least: amount, most: amount })
+
+/** Where the figures come from. */
+const machine = record({
+  /** ISO 8601. */
+  date: text,
+  /** As the processor calls itself. */
+  processor: text,
+  cores: amount,
+  system: text,
+  node: text,
+  v8: text,
+  /** Rounds that each time was taken in. */
+  rounds: amount,
+  /** Few and short rounds: figures for trying out, not for showing. */
+  quick: flag,
+})
+
+/** Something that figures are compared with, or ours. */
+const contestant = record({
+  id: text,
+  label: text,
+  /** Of its package. */
+  version: text,
+  /** How it is set up: units, friction, sleeping; in a sentence. */
+  setup: text,
+})
+
+/** A scene and a method: our step beside the loop that somebody would write by hand for just this. */
+const stepTime = record({
+  scene: text,
+  integrator: text,
+  /** The motion that was timed: it moves all the time, or it stops on its way. */
+  trial: text,
+  /** ns a step of the hand-written loop. */
+  bare: timing,
+  /** ns a step of ours, in a process that runs nothing else. */
+  alone: timing,
+  /** The same in a process that has run all scenes, methods and rules; null: was not measured. */
+  mixed: orNull(timing),
+  /** ns a step of `simulate`, which records every frame. */
+  recorded: timing,
+  /** Median over rounds of ours divided by the hand-written loop's, each from the same round. */
+  ratios: record({ alone: amount, mixed: orNull(amount), recorded: amount }),
+  /** Bytes a step that are taken from the heap. */
+  bytes: record({ alone: amount, mixed: orNull(amount) }),
+})
+
+/** What a scene for peers is: an experiment that any rigid-body engine can be given. */
+const peerScene = record({
+  id: text,
+  label: text,
+  /** In words: angle, friction, speed, how long. */
+  about: text,
+  /** Parameters of the scene `ramp`, with which the truth is computed. */
+  parameters: table(number),
+  /** The time at which positions are compared [s]. */
+  duration: amount,
+  /** Up to when it is watched for creep after that [s]; null: it is not. */
+  watchedUntil: orNull(amount),
+  /** Where the true motion is then [m]. */
+  truth: number,
+  /** Sliding has ended by then, and static friction holds. */
+  rests: flag,
+})
+
+/** One engine in one scene under one clock. */
+const peerRun = record({
+  /** A contestant's id. */
+  engine: text,
+  scene: text,
+  /** “10 fps”, “jitter”. */
+  clock: text,
+  /** Distance along the slope from the start, where it ended [m]; null: not a finite number any more. */
+  position: orNull(number),
+  /** |position − truth| [m]. */
+  error: orNull(amount),
+  /** How far it went between the end and `watchedUntil` [m]; null where it is not watched. */
+  creep: orNull(amount),
+  /** What is odd about the run, made from its numbers; null: nothing. */
+  note: orNull(text),
+})
+
+/** What a time step of an engine costs with one block sliding down one ramp. */
+const peerTime = record({
+  engine: text,
+  step: timing,
+  /** How often our step, with velocity Verlet and located stops, fits in; 1 for ours. */
+  ratio: amount,
+  /** Bytes a step that are taken from the JavaScript heap. */
+  bytes: amount,
+})
+
+/** The coefficient of friction that an engine really has: from how fast it brakes on the flat at 60 fps. */
+const frictionSeen = record({ engine: text, asked: amount, seen: amount })
+
+/** A method at one step length or one tolerance. */
+const workPoint = record({
+  /** Step [s] of ours; tolerance of odex. */
+  setting: amount,
+  /** Root mean square of the position's error over the points that all are compared at [m]. */
+  error: amount,
+  /** Evaluations of the acceleration for each simulated second. */
+  evaluations: amount,
+  /** ns for each simulated second. */
+  time: amount,
+})
+
+const workCurve = record({
+  /** An integrator's id, or `odex`. */
+  id: text,
+  label: text,
+  /** Stopping rule of ours; null for odex. */
+  stopping: orNull(text),
+  /** Place in the palette; null: ink. */
+  colour: orNull(amount),
+  /** Slope of log error over log step, fitted where the error is neither rounding nor nonsense; null: too few points. */
+  order: orNull(number),
+  points: list(workPoint),
+})
+
+/** The cheapest way of a method to an error, interpolated on its curve; null where the curve does not get there. */
+const cheapest = record({ id: text, label: text, evaluations: amount, time: amount })
+
+/** Speed against error for one experiment. */
+const frontier = record({
+  id: text,
+  label: text,
+  about: text,
+  /** [s] */
+  duration: amount,
+  curves: list(workCurve),
+  /** Who gets to an error [m] at the lowest cost. */
+  at: list(
+    record({
+      error: amount,
+      /** Ours with the fewest evaluations, and ours that is quickest. */
+      fewest: orNull(cheapest),
+      quickest: orNull(cheapest),
+      odex: orNull(cheapest),
+    }),
+  ),
+})
+
+/** What was asked for, and what came out. */
+const target = record({
+  id: text,
+  label: text,
+  /** The figure must be at most or at least `limit`. */
+  sense: word('at most', 'at least'),
+  limit: number,
+  figure: number,
+  met: flag,
+  /** Where the figure comes from: the worst scene and method, or the nearest peer. */
+  from: text,
+})
+
+/** Where the time of a scene and method goes that missed a target. */
+const profile = record({
+  what: text,
+  functions: list(record({ name: text, share: amount })),
+})
+
+const diagram = record({ file: text, title: text, description: text })
+
+const shape = record({
+  machine,
+  contestants: list(contestant),
+  steps: list(stepTime),
+  peers: record({
+    scenes: list(peerScene),
+    clocks: list(text),
+    runs: list(peerRun),
+    times: list(peerTime),
+    friction: list(frictionSeen),
+  }),
+  frontiers: list(frontier),
+  targets: list(target),
+  profiles: list(profile),
+  diagrams: list(diagram),
+  /** What could not be run, and why. */
+  notRun: list(record({ what: text, why: text })),
+})
+
+export type Timing = Shaped<typeof timing>
+export type Machine = Shaped<typeof machine>
+export type Contestant = Shaped<typeof contestant>
+export type StepTime = Shaped<typeof stepTime>
+export type PeerScene = Shaped<typeof peerScene>
+export type PeerRun = Shaped<typeof peerRun>
+export type PeerTime = Shaped<typeof peerTime>
+export type FrictionSeen = Shaped<typeof frictionSeen>
+export type WorkPoint = Shaped<typeof workPoint>
+export type WorkCurve = Shaped<typeof workCurve>
+export type Cheapest = Shaped<typeof cheapest>
+export type Frontier = Shaped<typeof frontier>
+export type Target = Shaped<typeof target>
+export type Profile = Shaped<typeof profile>
+export type Diagram = Shaped<typeof diagram>
+
+/** Everything that `npm run report` measured: the content of `public/report/report.json`. Times in ns, the rest in SI units. */
+export type Report = Shaped<typeof shape>
+
+/** What is wrong with a report, a line for every wrong place: “peers.runs[3].error: -1 is not a number of 0 or more”. */
+export function reportProblems(value: unknown): string[] {
+  const problems: string[] = []
+  shape.check(value, 'report', problems)
+  return problems
+}

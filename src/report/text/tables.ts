@@ -1,0 +1,151 @@
+import { integrators } from '../../physics/index.ts'
+import { peers } from '../peers/index.ts'
+import type { Report, StepTime } from '../schema.ts'
+import { eachInMetres, metres, nanoseconds, plain, times } from './figures.ts'
+
+/** A table of the report: what README and the terminal show of it. */
+export interface Table {
+  readonly title: string
+  readonly head: readonly string[]
+  readonly rows: readonly (readonly string[])[]
+}
+
+/** Errors of all engines, a column for each scene, at a slow and at the usual frame rate. */
+export function engineErrors({ contestants, peers }: Report, clocks = ['10 fps', '60 fps']): Table {
+  const { scenes, runs } = peers
+  return {
+    title: `Error at the end, at ${clocks.join(' and at ')}`,
+    head: ['', ...scenes.map(({ label }) => label)],
+    rows: contestants
+      .filter(({ id }) => runs.some(({ engine }) => engine === id))
+      .map(({ id, label }) => [
+        label,
+        ...scenes.map((scene) =>
+          eachInMetres(
+            clocks.flatMap((clock) =>
+              runs
+                .filter((run) => run.engine === id && run.scene === scene.id && run.clock === clock)
+                .map(({ error }) => error),
+            ),
+          ),
+        ),
+      ]),
+  }
+}
+
+/** What a step of each engine costs, and the friction that it really has. */
+export function engineTimes(report: Report): Table {
+  const { times: rows, friction } = report.peers
+  return {
+    title: 'A step with one block sliding down one ramp',
+    head: ['', 'time', 'quickest to slowest round', 'times ours', 'heap a step', 'μ seen for 0.5'],
+    rows: rows.map(({ engine, step, ratio, bytes }) => {
+      const seen = friction.find((row) => row.engine === engine)?.seen
+      return [
+        labelOf(report, engine),
+        nanoseconds(step.median),
+        `${nanoseconds(step.least)} – ${nanoseconds(step.most)}`,
+        times(ratio),
+        `${plain(Math.round(bytes))} B`,
+        seen === undefined ? '0.5' : seen.toFixed(2),
+      ]
+    }),
+  }
+}
+
+/** Who gets to an error at the lowest cost for a simulated second. */
+export function cheapestWays({ frontiers }: Report): Table {
+  return {
+    title: 'The cheapest way to an error, for one simulated second',
+    head: ['', 'fewest evaluations of ours', 'odex', 'least time of ours', 'odex', 'who is ahead'],
+    rows: frontiers.flatMap(({ label, at }) =>
+      at.map(({ error, fewest, quickest, odex }) => [
+        `${label}, ${metres(error)}`,
+        fewest ? `${plain(fewest.evaluations)} (${fewest.label})` : '–',
+        odex ? plain(odex.evaluations) : '–',
+        quickest ? `${nanoseconds(quickest.time)} (${quickest.label})` : '–',
+        odex ? nanoseconds(odex.time) : '–',
+        [
+          ahead('evaluations', fewest?.evaluations, odex?.evaluations),
+          ahead('time', quickest?.time, odex?.time),
+        ].join('; '),
+      ]),
+    ),
+  }
+}
+
+function ahead(what: string, own: number | undefined, odex: number | undefined): string {
+  if (own === undefined || odex === undefined)
+    return `${what}: ${own === undefined ? (odex === undefined ? 'nobody gets there' : 'odex') : 'ours'}`
+  return own <= odex ? `${what}: ours, ${times(odex / own)}` : `${what}: odex, ${times(own / odex)}`
+}
+
+/** Time of a step and how often the hand-written loop's, a row for each scene, a column for each method. */
+export function stepTable({ steps }: Report, kind: 'alone' | 'mixed', trial: string): Table {
+  const scenes = [...new Set(steps.map(({ scene }) => scene))]
+  const used = integrators.filter(({ id }) => steps.some(({ integrator }) => integrator === id))
+  const cell = (step: StepTime | undefined) => {
+    const time = step?.[kind]
+    const ratio = step?.ratios[kind]
+    return time && ratio ? `${nanoseconds(time.median)}, ${times(ratio)}` : '–'
+  }
+  return {
+    title: `A step of ours, ${kind}, and how often the hand-written loop’s`,
+    head: ['', ...used.map(({ label }) => label)],
+    rows: scenes.map((scene) => [
+      scene,
+      ...used.map(({ id }) =>
+        cell(
+          steps.find(
+            (step) => step.scene === scene && step.integrator === id && step.trial === trial,
+          ),
+        ),
+      ),
+    ]),
+  }
+}
+
+/** What was asked for, and what came out. */
+export function targetTable({ targets }: Report): Table {
+  return {
+    title: 'Targets',
+    head: ['', 'asked for', 'measured', '', 'where'],
+    rows: targets.map(({ label, sense, limit, figure, met, from }) => [
+      label,
+      `${sense} ${plain(limit)}`,
+      plain(figure),
+      met ? 'met' : 'missed',
+      from,
+    ]),
+  }
+}
+
+/** What is odd about single runs: a line for each engine and scene, the first odd run and under which clocks others are. */
+export function oddities(report: Report): string[] {
+  const { runs, scenes } = report.peers
+  const lines = new Map<string, string[]>()
+  for (const { engine, scene, clock, note } of runs) {
+    if (note === null) continue
+    const where = `${labelOf(report, engine)}, ${scenes.find(({ id }) => id === scene)!.label}`
+    const line = lines.get(where)
+    if (line) line.push(clock)
+    else lines.set(where, [`${note} (${clock})`])
+  }
+  return [...lines].map(([where, [first, ...others]]) => {
+    const also = others.length > 0 ? `; odd as well: ${others.join(', ')}` : ''
+    return `${where}: ${first!}${also}`
+  })
+}
+
+/** When and on what. */
+export function measuredOn({ machine, contestants }: Report): string {
+  const { date, processor, cores, node, v8, rounds } = machine
+  const versions = contestants
+    .filter(({ id }) => id === 'odex' || peers.some((peer) => peer.id === id))
+    .map(({ label, version }) => `${label} ${version}`)
+  return `Measured on ${date.slice(0, 10)} on ${cores} cores of ${processor} with Node ${node} (V8 ${v8}); times are medians of ${rounds} rounds. ${versions.join(', ')}.`
+}
+
+function labelOf({ contestants }: Report, engine: string): string {
+  return contestants.find(({ id }) => id === engine)?.label ?? engine
+}

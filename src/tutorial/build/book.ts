@@ -1,0 +1,67 @@
+import type { Materials, FigureInfo } from './materials.ts'
+import { instead } from './problem.ts'
+import type { Place, TextProblem } from './problem.ts'
+
+/** An entry of the table of contents. */
+export interface Chapter {
+  readonly id: string
+  readonly title: string
+  /** Of a numbered section. */
+  readonly number: number | undefined
+}
+
+/** What is known of the whole text while its files are turned into HTML one after the other. */
+export class Book {
+  readonly problems: TextProblem[] = []
+  readonly chapters: Chapter[] = []
+  private readonly ids = new Map<string, Place | undefined>()
+  private readonly links: { readonly id: string; readonly place: Place }[] = []
+  private placed = 0
+  readonly materials: Materials
+
+  constructor(materials: Materials) {
+    this.materials = materials
+    for (const id of materials.pageIds) this.ids.set(id, undefined)
+  }
+
+  report({ file, line }: Place, message: string): void {
+    this.problems.push({ file, line, message })
+  }
+
+  /** Gives an id to a place of the page. */
+  give(id: string, place: Place): void {
+    if (this.ids.has(id)) {
+      const other = this.ids.get(id)
+      const where = other ? `in ${other.file}:${other.line}` : 'in index.html'
+      this.report(place, `the id “${id}” is already given ${where}`)
+    } else this.ids.set(id, place)
+  }
+
+  /** Remembers a link to a place of the page, to be checked when all are known. */
+  link(id: string, place: Place): void {
+    this.links.push({ id, place })
+  }
+
+  /** Reports every link that leads nowhere. */
+  checkLinks(): void {
+    for (const { id, place } of this.links)
+      if (!this.ids.has(id))
+        this.report(place, `the link #${id} leads nowhere${instead(id, this.ids.keys())}`)
+  }
+
+  /** The number that the next figure gets. */
+  nextFigure(): number {
+    return ++this.placed
+  }
+
+  /** A figure by name. */
+  figure(id: string, place: Place): FigureInfo | undefined {
+    const { figures } = this.materials
+    const found = figures.find((figure) => figure.id === id)
+    if (!found) {
+      const names = figures.map((figure) => figure.id)
+      this.report(place, `there is no figure “${id}”${instead(id, names)}`)
+    }
+    return found
+  }
+}

@@ -1,0 +1,80 @@
+import { placeOf } from './env.ts'
+import type { Env } from './env.ts'
+import { languages } from './highlight.ts'
+import { attributes, escaped } from './html.ts'
+import { instead } from './problem.ts'
+import { regionOf, regionsOf } from './region.ts'
+
+/** What a file's ending says about its language. */
+const endings: Readonly<Record<string, string>> = {
+  ts: 'ts',
+  cpp: 'cpp',
+  cs: 'csharp',
+  gd: 'gdscript',
+}
+
+/** How the languages of the take-home files are called in tabs. */
+const names: Readonly<Record<string, string>> = {
+  ts: 'TypeScript',
+  cpp: 'C++ (Unreal)',
+  cs: 'C# (Unity)',
+  gd: 'GDScript (Godot)',
+}
+
+/** A listing, and what it is called when it has to be scrolled. */
+function listing(html: string, label: string): string {
+  return `<pre${attributes({ 'data-label': label })}><code>${html}</code></pre>`
+}
+
+/** A fenced block in a language. */
+export function codeHtml(env: Env, code: string, language: string, line: number): string {
+  if (!(languages as readonly string[]).includes(language)) {
+    const known = [...languages, 'figure', 'source', 'take-home']
+    env.book.report(
+      placeOf(env, line),
+      `“${language}” is no kind of block${instead(language, known)}`,
+    )
+    return ''
+  }
+  const text = code.replace(/\n$/, '')
+  return `<div class="code">${listing(env.highlight(text, language), 'Code')}</div>\n`
+}
+
+/** Some lines of the project itself, `path#region`, with the path below them, and a caption if there is one. */
+export function sourceHtml(env: Env, address: string, caption: string, line: number): string {
+  const [path = '', region] = address.split('#')
+  const place = placeOf(env, line)
+  const source = env.book.materials.read(path)
+  if (source === undefined) {
+    env.book.report(place, `there is no file ${path}`)
+    return ''
+  }
+  const code = regionOf(source, region)
+  if (code === undefined) {
+    env.book.report(
+      place,
+      `${path} has no region “${region}”${instead(region!, regionsOf(source))}`,
+    )
+    return ''
+  }
+  const language = endings[path.split('.').at(-1)!] ?? 'ts'
+  return `<figure class="code">${listing(env.highlight(code, language), `From ${path}`)}
+<figcaption><code>${escaped(path)}</code>${caption && ` <div>${caption}</div>`}</figcaption></figure>\n`
+}
+
+/** The take-home step in all its languages. The page's script turns the headings into tabs. */
+export function takeHomeHtml(env: Env, line: number): string {
+  const { takeHome } = env.book.materials
+  if (takeHome.length === 0)
+    env.book.report(placeOf(env, line), 'there are no files in src/tutorial/take-home')
+  const parts = takeHome.map(({ path, text }) => {
+    const ending = path.split('.').at(-1)!
+    const name = names[ending] ?? ending
+    const code = env.highlight(regionOf(text) ?? '', endings[ending] ?? 'ts')
+    return `<div class="code" id="take-home-${ending}">
+<p class="tab">${escaped(name)}</p>
+${listing(code, `The step in ${name}`)}
+<p class="path"><code>${escaped(path)}</code></p></div>`
+  })
+  return `<div class="take-home">\n${parts.join('\n')}\n</div>\n`
+}

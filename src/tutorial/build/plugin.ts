@@ -1,0 +1,42 @@
+import { resolve } from 'node:path'
+import { runnerImport } from 'vite'
+import type { Plugin } from 'vite'
+import type * as Load from './load.ts'
+
+/** What stands in index.html in place of the tutorial, and of the lab's still. */
+const TUTORIAL = '<!-- tutorial -->'
+const LAB = '<!-- lab -->'
+
+/**
+ * Puts the tutorial into the page: the text of src/tutorial/text, its numbers, its figures’ stills. In development a
+ * change of any of them shows at once.
+ */
+export function tutorial(): Plugin {
+  let root = ''
+  /** What the page was made of last. */
+  let sources = new Set<string>()
+  return {
+    name: 'tutorial',
+    configResolved: (config) => void (root = config.root),
+    transformIndexHtml: {
+      order: 'pre',
+      handler: async (html, { server }) => {
+        if (!html.includes(TUTORIAL)) return html
+        const { module, dependencies } = await runnerImport<typeof Load>(
+          resolve(root, 'src/tutorial/build/load.ts'),
+          { root, configFile: false, logLevel: 'silent' },
+        )
+        const texts = resolve(root, 'src/tutorial/text')
+        sources = new Set(dependencies.map((path) => resolve(root, path)))
+        server?.watcher.add([texts, ...sources])
+        const ids = [...html.matchAll(/\sid="([^"]+)"/g)].map((match) => match[1]!)
+        const { article, lab } = module.loadPage(root, ids)
+        return html.replace(TUTORIAL, () => article).replace(LAB, () => lab)
+      },
+    },
+    handleHotUpdate: ({ file, server }) => {
+      if (!file.endsWith('.md') && !sources.has(file)) return
+      server.ws.send({ type: 'full-reload' })
+    },
+  }
+}

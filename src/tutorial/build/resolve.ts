@@ -1,0 +1,92 @@
+import type { MarkdownIt, Token } from 'markdown-it'
+import type { Brace } from './braces.ts'
+import { dialHtml } from './dial.ts'
+import { placeOf } from './env.ts'
+import type { Env } from './env.ts'
+import { escaped } from './html.ts'
+import { resolveLink } from './links.ts'
+import { mathml } from './maths.ts'
+import { instead } from './problem.ts'
+import type { Place } from './problem.ts'
+import { words } from './spans.ts'
+
+/** Gives everything that the text names its meaning: facts, figures, links, terms, maths. Here its line is known. */
+export function resolve(md: MarkdownIt): void {
+  md.core.ruler.push('resolve', ({ tokens, env: given }) => {
+    const env = given as Env
+    const { book } = env
+    for (const token of tokens) {
+      let line = token.map?.[0] ?? 0
+      if (token.type === 'equation') resolveMaths(token, true, env, line)
+      for (const child of token.children ?? []) {
+        const place = placeOf(env, line)
+        if (child.type === 'softbreak' || child.type === 'hardbreak') line++
+        else if (child.type === 'maths') resolveMaths(child, false, env, line)
+        else if (child.type === 'brace') child.content = braceHtml(child.meta as Brace, env, place)
+        else if (child.type === 'span_open') resolveSpan(child, env, place)
+        else if (child.type === 'link_open') {
+          const { href, attributes } = resolveLink(
+            decoded(String(child.attrGet('href') ?? '')),
+            book,
+            place,
+          )
+          child.attrSet('href', href)
+          for (const [name, value] of attributes) child.attrSet(name, value)
+        }
+      }
+    }
+  })
+  md.core.ruler.push('together', ({ tokens }) => {
+    for (const { children } of tokens) keepTogether(children ?? [])
+  })
+  for (const type of ['maths', 'equation', 'brace'])
+    md.renderer.rules[type] = (tokens, index) => tokens[index]!.content
+}
+
+/** A formula and the comma after it: browsers would break the line between them. */
+function keepTogether(children: readonly Token[]): void {
+  children.forEach((child, i) => {
+    const next = children[i + 1]
+    const sign = next?.type === 'text' && /^[,.;:!?)’”]+/.exec(next.content)?.[0]
+    if (child.type !== 'maths' || !next || !sign) return
+    child.content = `<span class="together">${child.content}${sign}</span>`
+    next.content = next.content.slice(sign.length)
+  })
+}
+
+/** markdown-it encodes what it takes for an address of the web. */
+function decoded(href: string): string {
+  return decodeURIComponent(href)
+}
+
+function resolveMaths(token: Token, display: boolean, env: Env, line: number): void {
+  try {
+    const html = mathml(token.content, display)
+    token.content = display ? `<div class="equation" data-label="Equation">${html}</div>\n` : html
+  } catch (error) {
+    const reason = error instanceof Error ? error.message.replace(/\s+/g, ' ') : String(error)
+    env.book.report(placeOf(env, line), `$${token.content}$ is no TeX: ${reason}`)
+    token.content = ''
+  }
+}
+
+function braceHtml(brace: Brace, { book }: Env, place: Place): string {
+  if (brace.kind === 'dial') return dialHtml(brace, book, place)
+  const { facts } = book.materials
+  const fact = Object.hasOwn(facts, brace.name) ? facts[brace.name] : undefined
+  if (fact) return escaped(fact())
+  book.report(place, `there is no fact “${brace.name}”${instead(brace.name, Object.keys(facts))}`)
+  return ''
+}
+
+function resolveSpan(token: Token, { book }: Env, place: Place): void {
+  const { name } = token.meta as { name: string }
+  if (token.tag === 'dfn') {
+    book.give(name, place)
+    token.attrSet('id', name)
+  } else {
+    if (!words.includes(name))
+      book.report(place, `there is no class “${name}”${instead(name, words)}`)
+    token.attrSet('class', `word ${name}`)
+  }
+}

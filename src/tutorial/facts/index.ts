@@ -1,0 +1,35 @@
+import { energy } from './energy.ts'
+import type { Fact } from './fact.ts'
+import { forcesOnASlope } from './forcesOnASlope.ts'
+import { fromForces } from './fromForces.ts'
+import { paper } from './paper.ts'
+import { realFrames } from './realFrames.ts'
+import { stopping } from './stopping.ts'
+import { toPosition } from './toPosition.ts'
+import { whatMoves } from './whatMoves.ts'
+import { whatToUse } from './whatToUse.ts'
+
+const all = {
+  ...whatMoves,
+  ...forcesOnASlope,
+  ...fromForces,
+  ...toPosition,
+  ...stopping,
+  ...realFrames,
+  ...energy,
+  ...whatToUse,
+  ...paper,
+}
+
+/** The numbers of the prose by name, written as people read them; a number and its unit stay on one line. */
+export const facts: Readonly<Record<string, () => string>> = Object.fromEntries(
+  Object.entries<Fact>(all).map(([name, { value, show }]) => [
+    name,
+    () => show(value()).replaceAll('\u2009', '\u202f'),
+  ]),
+)
+
+/** The same as numbers, in SI units. */
+export const values = Object.fromEntries(
+  Object.entries<Fact>(all).map(([name, { value }]) => [name, value]),
+) as Readonly<Record<keyof typeof all, () => number>>

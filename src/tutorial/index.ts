@@ -1,0 +1,20 @@
+import { copyButton, reachable } from './page/code.ts'
+import { followReader } from './page/contents.ts'
+import { dial } from './page/dial.ts'
+import { followLinks } from './page/links.ts'
+import { lightOnPaper } from './page/print.ts'
+import { tabs } from './page/tabs.ts'
+
+/* The text is there without any of this. */
+
+const all = (selector: string) => [
+  ...document.querySelectorAll<HTMLElement>(`.tutorial ${selector}`),
+]
+
+for (const contents of all('.contents')) followReader(contents)
+for (const text of all('.text')) followLinks(text)
+all('.dial').forEach(dial)
+all('.code').forEach(copyButton)
+all('.take-home').forEach(tabs)
+reachable(all(':is(pre, .equation, .table)'))
+lightOnPaper()

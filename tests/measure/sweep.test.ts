@@ -1,0 +1,119 @@
+import { describe, expect, it } from 'vitest'
+import {
+  evaluationsPerSecond,
+  isExact,
+  nanosecondsPerSecond,
+  orderOfCurve,
+  outcomeKinds,
+  presentationErrors,
+  sweep,
+  sweepMethods,
+  sweepRates,
+  sweptExperiment,
+  timedSweep,
+} from '../../src/measure/index.ts'
+import type { SweepCurve, SweepRequest } from '../../src/measure/index.ts'
+import { integrators, simulate } from '../../src/physics/index.ts'
+import type { Experiment, Integrator } from '../../src/physics/index.ts'
+
+const pipe: Experiment = { scene: 'half-pipe', parameters: { position: 1.2 }, duration: 2.5 }
+const kick: Experiment = {
+  scene: 'ramp',
+  parameters: { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5 },
+  duration: 1,
+}
+
+function request(experiment: Experiment): SweepRequest {
+  return { experiment, methods: sweepMethods, rates: sweepRates }
+}
+
+function curves(experiment: Experiment): SweepCurve[] {
+  return [...sweep(request(experiment))].filter((curve) => curve !== undefined)
+}
+
+function claimOf(id: string): Integrator {
+  return integrators.find((each) => each.id === id)!
+}
+
+describe('a sweep', () => {
+  it('is single runs of simulate, to the bit', () => {
+    for (const { method, errors, rms, evaluations, outcomes } of curves(kick))
+      for (const [i, rate] of sweepRates.entries()) {
+        const run = simulate(sweptExperiment(request(kick), method, rate))
+        const single = presentationErrors(run)
+        expect(errors[i]).toBe(single.largest)
+        expect(rms[i]).toBe(single.rms)
+        expect(evaluations[i]).toBe(run.evaluations / run.time.at(-1)!)
+        expect(outcomeKinds[outcomes[i]!]).toBe(run.outcome.kind)
+      }
+  })
+
+  it('yields between points, and a curve at the end of each method', () => {
+    const parts = [...sweep(request(kick))]
+    expect(parts).toHaveLength(sweepMethods.length * sweepRates.length)
+    expect(parts.flatMap((part) => part?.method ?? [])).toEqual(sweepMethods)
+  })
+
+  it.each(curves(pipe))('shows the order that $method claims', (curve) => {
+    const { order } = claimOf(curve.method)
+    // The next term of the error is a few steps' worth of the first; at 960 steps a second, and for a method of the
+    // fourth order at 100, that is below a tenth of an order.
+    expect(Math.abs(orderOfCurve(curve, sweepRates) - order)).toBeLessThan(0.1)
+  })
+
+  it('through a stop: located keeps every order, or is exact; clamped leaves the first', () => {
+    for (const curve of curves(kick)) {
+      const { order } = claimOf(curve.method)
+      if (order > 1) expect(isExact(curve)).toBe(true)
+      else expect(Math.abs(orderOfCurve(curve, sweepRates) - 1)).toBeLessThan(0.1)
+    }
+    for (const curve of curves({ ...kick, stopping: 'clamped' })) {
+      expect(isExact(curve)).toBe(false)
+      // Where in its last step the block stops changes from rate to rate: the points scatter about the line.
+      expect(Math.abs(orderOfCurve(curve, sweepRates) - 1)).toBeLessThan(0.5)
+    }
+  })
+
+  it('says of a run that blew up that it did, and fits no order to it', () => {
+    const spring = { scene: 'spring', parameters: { stiffness: 1e8, position: 1 }, duration: 1 }
+    const [euler] = curves(spring as Experiment)
+    expect(euler!.method).toBe('explicit-euler')
+    expect([...euler!.outcomes].map((kind) => outcomeKinds[kind])).toEqual(
+      sweepRates.map(() => 'diverged'),
+    )
+    expect(orderOfCurve(euler!, sweepRates)).toBeNaN()
+    expect(isExact(euler!)).toBe(false)
+  })
+})
+
+describe('work', () => {
+  it('in evaluations is counted: one a step for a method of one', () => {
+    const moving = { scene: 'fall', parameters: { speed: 1 }, duration: 2 } as const
+    const run = simulate({ ...moving, integrator: 'semi-implicit-euler' })
+    expect(evaluationsPerSecond(run)).toBe(60)
+  })
+
+  it('in time is what the clock says, over many runs', () => {
+    let now = 0
+    let readings = 0
+    // Goes on by a millisecond whenever it is read: a batch of runs takes one.
+    const clock = () => (readings++, (now += 1))
+    const perSecond = nanosecondsPerSecond({ ...pipe, duration: 2 }, clock)
+    // Two batches, of one run and of two, of two seconds each: 2 ms for 6 s.
+    expect(readings).toBe(4)
+    expect(perSecond).toBeCloseTo(2e6 / 6, 6)
+  })
+
+  it('is not measured for ever with a clock that stands', () => {
+    expect(nanosecondsPerSecond({ ...kick, duration: 0.1 }, () => 5)).toBe(0)
+  })
+
+  it('of a sweep is a positive time for each point', () => {
+    const small = { ...request(kick), methods: ['rk4'] as const, rates: [10, 30] }
+    const parts = [...timedSweep(small, () => performance.now())]
+    const curve = parts.at(-1)!
+    expect(parts.slice(0, -1).every((part) => part === undefined)).toBe(true)
+    expect(curve.method).toBe('rk4')
+    for (const value of curve.nanoseconds) expect(value).toBeGreaterThan(0)
+  })
+})

@@ -1,0 +1,87 @@
+import { describe, expect, it } from 'vitest'
+import { bytesOf } from '../../src/report/timing/bytes.ts'
+import { median, ratioOf, timeRounds, timingOf } from '../../src/report/timing/rounds.ts'
+import { notes } from '../../src/report/peers/notes.ts'
+import { peerScenes } from '../../src/report/peers/scenes.ts'
+import { eachInMetres, metres, nanoseconds, plain } from '../../src/report/text/figures.ts'
+
+describe('rounds', () => {
+  it('are as many as asked for, of each work, prepared before each run', () => {
+    let prepared = 0
+    let runs = 0
+    const work = { units: 10, prepare: () => prepared++, run: () => ++runs }
+    const times = timeRounds([work, work], { rounds: 4, atLeast: 0.01, warming: 0.01 })
+    expect(times.map((each) => each.length)).toEqual([4, 4])
+    expect(prepared).toBe(runs)
+    expect(runs).toBeGreaterThanOrEqual(10)
+    for (const time of times.flat()) expect(time).toBeGreaterThan(0)
+  })
+
+  it('a work that comes to no number is noticed', () => {
+    const care = { rounds: 1, atLeast: 0.001, warming: 0.001 }
+    expect(() => timeRounds([{ units: 1, run: () => NaN }], care)).toThrow('no number')
+  })
+
+  it('come to a median, a spread, and a ratio of the same rounds', () => {
+    expect(median([3, 1, 2])).toBe(2)
+    expect(median([4, 1, 2, 3])).toBe(2.5)
+    expect(timingOf([5, 1, 9])).toEqual({ median: 5, least: 1, most: 9 })
+    // The machine was three times as busy in the second round: the ratio does not see it.
+    expect(ratioOf([2, 6, 2], [1, 3, 1])).toBe(2)
+  })
+})
+
+it('bytes are counted: a boxed number for each unit, and none for none', () => {
+  const kept: { boxed: number }[] = []
+  const boxing = {
+    units: 200_000,
+    run: () => {
+      for (let i = 0; i < 200_000; i++) kept[i & 1023] = { boxed: i + 0.5 }
+      return kept.length
+    },
+  }
+  // An object with a number takes 12 bytes at least; what the engine takes on the side is far less.
+  expect(bytesOf(boxing)).toBeGreaterThan(12)
+  expect(bytesOf({ units: 1e6, run: () => 0 })).toBeLessThan(1)
+})
+
+it('figures are given with three digits at most', () => {
+  expect(metres(0.32146)).toBe('0.32 m')
+  expect(metres(-0.0537)).toBe('53.7 mm')
+  expect(metres(0)).toBe('0')
+  expect(metres(null)).toBe('no number')
+  expect(metres(8.88e-16)).toBe('0 (to rounding)')
+  expect(metres(1e-8)).toBe('10 nm')
+  expect(metres(1e-6)).toBe('1 µm')
+  expect(eachInMetres([0, 0])).toBe('0')
+  expect(eachInMetres([0, 1e-15])).toBe('0 (to rounding)')
+  expect(eachInMetres([0, 0.5, null])).toBe('0, 0.5 m, no number')
+  expect(nanoseconds(5.123)).toBe('5.1 ns')
+  expect(nanoseconds(12345)).toBe('12.3 µs')
+  expect(nanoseconds(4.5e6)).toBe('4.5 ms')
+  expect(plain(14062)).toBe('14\u202f062')
+  expect(plain(2.2e12)).toBe('2.2 × 10¹²')
+  expect(plain(-2e-5)).toBe('-2 × 10⁻⁵')
+  expect(plain(0.125)).toBe('0.13')
+})
+
+it('what is odd about a run is said with its numbers', () => {
+  const scene = (id: string) => peerScenes.find((each) => each.id === id)!
+  const fine = { position: -1.5, late: -1.5, lifted: 0, later: -1.5 }
+  expect(notes(scene('uphill-stays'), fine)).toBeNull()
+  expect(notes(scene('uphill-stays'), { ...fine, later: -1.25 })).toBe(
+    'creeps 0.250 m while it should rest',
+  )
+  expect(notes(scene('under'), { ...fine, position: 4, late: 3.5, later: null })).toBe(
+    'still moves: 0.500 m in the last 6 s',
+  )
+  expect(notes(scene('slide'), { ...fine, later: null })).toBe(
+    'at rest at 1.50 m, where nothing holds it',
+  )
+  expect(notes(scene('slide'), { position: 6, late: 5, lifted: -2, later: null })).toBe(
+    '2.00 m off the slope',
+  )
+  expect(notes(scene('slide'), { position: NaN, late: 5, lifted: 0, later: null })).toBe(
+    'ended as no number',
+  )
+})

@@ -1,0 +1,20 @@
+// As much of Unreal's CoreMinimal.h as step.cpp needs.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+struct FVector2D
+{
+    double X = 0.0, Y = 0.0;
+    FVector2D(double InX, double InY) : X(InX), Y(InY) {}
+    static double DotProduct(const FVector2D& A, const FVector2D& B) { return A.X * B.X + A.Y * B.Y; }
+    FVector2D operator*(double Scale) const { return FVector2D(X * Scale, Y * Scale); }
+    FVector2D& operator+=(const FVector2D& V) { X += V.X; Y += V.Y; return *this; }
+};
+
+struct FMath
+{
+    static double Max(double A, double B) { return std::max(A, B); }
+    static double Abs(double A) { return std::fabs(A); }
+    static double Sign(double A) { return A > 0.0 ? 1.0 : A < 0.0 ? -1.0 : 0.0; }
+};
