@@ -103,7 +103,11 @@ export class SlideFigure extends LitElement {
   }
 
   private wake(): Promise<void> {
-    return (this.waking ??= this.comeAlive())
+    return (this.waking ??= this.comeAlive().catch((error: unknown) => {
+      // What could not be loaded is asked for again when it comes near the next time.
+      this.waking = undefined
+      throw error
+    }))
   }
 
   private async comeAlive(): Promise<void> {

@@ -37,6 +37,7 @@ export {
   sweepRates,
   sweptExperiment,
   timedSweep,
+  TIMED_ROUNDS,
 } from './sweep.ts'
 export type { SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
 export { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'

@@ -48,8 +48,8 @@ export const sweepRates: readonly number[] = [
 /** All methods there are. */
 export const sweepMethods: readonly IntegratorId[] = integrators.map(({ id }) => id)
 
-/** How often the time of a point is taken: the least of them counts. */
-const ROUNDS = 2
+/** How often the time of each point is taken: the least of them counts. */
+export const TIMED_ROUNDS = 6
 
 /** An order is fitted to the finest so many points above rounding, and to no fewer than three. */
 const FITTED = 6
@@ -88,7 +88,8 @@ export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined>
 }
 
 /**
- * Takes the time of each point of a sweep, method by method. It yields as `sweep` does.
+ * Takes the time of each point of a sweep, method by method, and all of it again: what disturbs one round does not
+ * disturb the next in the same place. It yields as `sweep` does, each curve as often as there are rounds.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
@@ -97,16 +98,16 @@ export function* timedSweep(
   clock: Clock,
 ): Generator<TimedCurve | undefined> {
   const { methods, rates } = request
-  for (const method of methods) {
-    const nanoseconds = new Float64Array(rates.length).fill(Infinity)
-    for (const [i, rate] of rates.entries())
-      for (let round = 0; round < ROUNDS; round++) {
+  const least = methods.map(() => new Float64Array(rates.length).fill(Infinity))
+  for (let round = 0; round < TIMED_ROUNDS; round++)
+    for (const [m, method] of methods.entries()) {
+      const nanoseconds = least[m]!
+      for (const [i, rate] of rates.entries()) {
         const experiment = sweptExperiment(request, method, rate)
         nanoseconds[i] = Math.min(nanoseconds[i]!, nanosecondsPerSecond(experiment, clock))
-        const last = i === rates.length - 1 && round === ROUNDS - 1
-        yield last ? { method, nanoseconds } : undefined
+        yield i === rates.length - 1 ? { method, nanoseconds: nanoseconds.slice() } : undefined
       }
-  }
+    }
 }
 
 /** A point stands for a whole run: one that left the track or blew up, or has no truth to be held to, does not count. */

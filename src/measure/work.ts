@@ -4,8 +4,8 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 /** The time on some clock [ms]: `performance.now`, or a clock of a test. */
 export type Clock = () => number
 
-/** So long a measurement of time lasts at least [ms]: many ticks of a clock that goes in tenths of milliseconds. */
-const LONG_ENOUGH = 2
+/** So long a measurement of time lasts at least [ms]: ten ticks of a clock that goes in tenths of milliseconds. */
+const LONG_ENOUGH = 1
 
 /** So many runs are made ready at a time, before the clock is looked at. */
 const MOST_AT_ONCE = 256

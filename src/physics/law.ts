@@ -7,6 +7,11 @@ export class Contact {
   drive = NaN
   /** Normal force per mass, ≥ 0 [m/s²]. */
   press = NaN
+
+  constructor() {
+    this.drive = 0
+    this.press = 0
+  }
 }
 
 /**

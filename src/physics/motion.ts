@@ -1,15 +1,9 @@
+import { apart } from './apart.ts'
 import { Contact, feltOn } from './law.ts'
 import type { Forces, Law } from './law.ts'
 
 // What starts 1e9 m away and falls at 1e6 m/s² for 1e6 s does not get near it [m].
 export const FAR = 1e24
-
-// How the acceleration on a piece of track is found: it is one number, it changes with the distance or with the square of
-// the speed alone, or the forces are asked for.
-const STEADY = 0
-const WITH_DISTANCE = 1
-const WITH_SPEED = 2
-const ASKED = 3
 
 /**
  * A block on a track, mid-step: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and what acts on
@@ -30,7 +24,8 @@ export class Motion {
   dt = NaN
   /** How many such steps are left to take in a row; 0 while they are tried one by one. */
   left = 0
-  private inRow = false
+  /** The next step begins a row of them. */
+  inRow = false
   /** Energy that friction has turned into heat [J]. */
   heat = NaN
   /** How far before the jump that is looked for a tried step ended: negative past it. */
@@ -72,7 +67,10 @@ export class Motion {
   private readonly asked: readonly Forces[]
 
   // The law of the piece, with friction to the side that the slip direction gives it.
-  private kind = ASKED
+  // How the acceleration is found: it is one number, or one term more; if neither, the forces are asked for.
+  private isSteady = false
+  private hasSpring = false
+  private hasDrag = false
   private forces: Forces
   private steady = NaN
   private evenDrive = NaN
@@ -84,7 +82,7 @@ export class Motion {
   private answer = NaN
   /** Friction [N], where the normal force is the same all along the piece. */
   private rubbing = NaN
-  private pressesEvenly = true
+  private pressChanges = false
   /** The normal force per mass at the end of the last step, where it changes along the piece [m/s²]. */
   private pressed = NaN
   // A step that ends between these has met no jump of the law.
@@ -115,57 +113,53 @@ export class Motion {
    */
   acceleration(s: number, v: number): number {
     this.evaluations++
-    if (this.kind === STEADY) return this.steady
-    if (this.kind === WITH_DISTANCE) return this.evenDrive - this.perMetre * s - this.friction
-    if (this.kind === WITH_SPEED)
-      return this.evenDrive - this.perSquare * v * Math.abs(v) - this.friction
+    if (this.isSteady) return this.steady
+    if (this.hasSpring) return this.evenDrive - this.perMetre * s - this.friction
+    if (this.hasDrag) return this.evenDrive - this.perSquare * v * Math.abs(v)
     this.askedS = s
     this.askedV = v
-    this.accelerate()
+    apart(Motion.accelerate, this)
     return this.answer
   }
 
   // #region accelerate
-  private accelerate(): void {
-    const { contact, forces, askedV: v } = this
-    contact.s = this.askedS
+  private static accelerate(motion: Motion): void {
+    const { contact, forces, askedV: v } = motion
+    contact.s = motion.askedS
     contact.v = v
     forces(contact)
-    const slip = this.slipHeld ? this.slip : v > 0 ? 1 : v < 0 ? -1 : 0
-    this.answer = contact.drive - slip * this.muKinetic * contact.press
+    const slip = motion.slipHeld ? motion.slip : v > 0 ? 1 : v < 0 ? -1 : 0
+    motion.answer = contact.drive - slip * motion.muKinetic * contact.press
   }
   // #endregion
 
   /**
-   * Ends a step at a distance and a speed: what an integrator calls. Returns whether it goes on from there with another.
-   * A step of those in a row that met a jump of the law is not kept: the stopping rule takes it again.
+   * Ends a step at `s` and `v`: what an integrator calls. Returns whether it goes on from there with another. A step of those
+   * in a row that met a jump of the law is not kept: the stopping rule takes it again.
    */
-  goesOn(s: number, v: number): boolean {
+  goesOn(): boolean {
     if (this.left > 0) {
+      const { s, v } = this
       if (!(v > this.slowest && v < this.fastest && s > this.low && s < this.high))
         return this.refuse()
-      if (this.pressesEvenly) this.heat += this.rubbing * Math.abs(s - this.s)
-      else this.noteStart()
       this.left--
+      if (this.pressChanges) apart(Motion.addPressed, this)
+      else this.heat += this.rubbing * Math.abs(s - this.startS)
+      this.startS = s
+      this.startV = v
+      this.keptEvaluations = this.evaluations
     }
-    this.s = s
-    this.v = v
     this.known = this.reusable
-    this.keptEvaluations = this.evaluations
-    if (!this.pressesEvenly && this.inRow) this.addPressed()
     return this.left > 0
   }
 
-  /** Takes back what a step that is not kept has counted. */
+  /** Returns to the state before a step that is not kept, and takes back what that has counted. */
   private refuse(): boolean {
+    this.s = this.startS
+    this.v = this.startV
     this.evaluations = this.keptEvaluations
     if (this.unsolvedAt === this.left) this.unsolved--
     return false
-  }
-
-  private noteStart(): void {
-    this.startS = this.s
-    this.startV = this.v
   }
 
   /** Counts a step whose equation was not solved to rounding. */
@@ -174,32 +168,21 @@ export class Motion {
     this.unsolvedAt = this.left
   }
 
-  /** Readies the motion to take up to that many steps in a row. Returns false where the next one needs a stopping rule. */
-  startRow(count: number): boolean {
-    const { v, from, to, law } = this
-    this.left = count
-    this.inRow = true
+  /** Readies the motion for the row of steps that `left` asks for, unless the next one needs a stopping rule. */
+  startRow(): void {
+    const { s, v, from, to, law } = this
+    this.startS = s
+    this.startV = v
+    this.keptEvaluations = this.evaluations
     this.unsolvedAt = 0
     // Beyond these it has turned, or lost its stability.
     this.slowest = v > 0 ? 0 : -law.speedLimit
     this.fastest = v > 0 ? law.speedLimit : 0
-    return (
+    this.inRow =
       this.slipHeld &&
       this.dt > 0 &&
       v !== 0 &&
-      (this.slip > 0 ? this.s >= from && this.s < to : this.s > from && this.s <= to)
-    )
-  }
-
-  /** From here on steps are tried one by one. */
-  endRow(): void {
-    this.left = 0
-    this.inRow = false
-  }
-
-  /** Notes how many evaluations there were, a number to which a refused step returns. */
-  note(): void {
-    this.keptEvaluations = this.evaluations
+      (this.slip > 0 ? s >= from && s < to : s > from && s <= to)
   }
 
   /** Sets `drive` and `press` to what they are at the present `s` and `v`. */
@@ -214,8 +197,8 @@ export class Motion {
 
   /** Adds the heat of the step from the beginning noted to the present state: friction force × sliding distance. */
   addHeat(): void {
-    if (this.pressesEvenly) this.heat += this.rubbing * Math.abs(this.s - this.startS)
-    else this.addPressed()
+    if (this.pressChanges) Motion.addPressed(this)
+    else this.heat += this.rubbing * Math.abs(this.s - this.startS)
   }
 
   /**
@@ -223,12 +206,12 @@ export class Motion {
    * order; for a method of a higher one Simpson's rule over the cubic through both ends, so that its heat is as accurate
    * as its motion.
    */
-  private addPressed(): void {
-    const { contact, forces, s, v, startS, startV, dt } = this
+  private static addPressed(motion: Motion): void {
+    const { contact, forces, s, v, startS, startV, dt } = motion
     const distance = s - startS
-    const before = this.pressed
+    const before = motion.pressed
     let middle = 0
-    if (this.accurate && dt > 0) {
+    if (motion.accurate && dt > 0) {
       const ends = (startV + v) / 4
       const speed = (1.5 * distance) / dt - ends
       // A diverging step's cubic may race between its ends; a real one's does not.
@@ -241,11 +224,11 @@ export class Motion {
     contact.s = s
     contact.v = v
     forces(contact)
-    this.pressed = contact.press
-    const work = this.accurate
+    motion.pressed = contact.press
+    const work = motion.accurate
       ? ((before * startV + 4 * middle + contact.press * v) * dt) / 6
       : 0.5 * (before + contact.press) * distance
-    this.heat += this.law.mass * this.muKinetic * Math.abs(work)
+    motion.heat += motion.law.mass * motion.muKinetic * Math.abs(work)
   }
 
   /** Whether friction keeps to `slip` or takes the sign of v at every evaluation. */
@@ -298,21 +281,20 @@ export class Motion {
     const { law, slip, muKinetic } = this
     const given = law.forces[this.piece]!
     this.forces = this.asked[this.piece]!
-    this.kind = ASKED
     this.feel()
-    this.pressesEvenly = typeof given !== 'function' || muKinetic === 0
+    this.pressChanges = typeof given === 'function' && muKinetic > 0
     this.rubbing = muKinetic === 0 ? 0 : law.mass * muKinetic * this.press
     this.pressed = this.press
-    if (typeof given !== 'function' && this.slipHeld) {
-      const { perMetre = 0, perSquare = 0 } = given
-      if (perMetre === 0) this.kind = perSquare === 0 ? STEADY : WITH_SPEED
-      else if (perSquare === 0) this.kind = WITH_DISTANCE
-      this.evenDrive = given.drive
-      this.perMetre = perMetre
-      this.perSquare = perSquare
-      this.friction = slip * muKinetic * given.press
-      this.steady = given.drive - this.friction
-    }
+    const plain = typeof given !== 'function' && this.slipHeld ? given : undefined
+    const { drive = 0, perMetre = 0, perSquare = 0, press = 0 } = plain ?? {}
+    this.isSteady = plain !== undefined && perMetre === 0 && perSquare === 0
+    this.hasSpring = perMetre > 0 && perSquare === 0
+    this.hasDrag = perSquare > 0 && perMetre === 0 && muKinetic === 0
+    this.evenDrive = drive
+    this.perMetre = perMetre
+    this.perSquare = perSquare
+    this.friction = slip * muKinetic * press
+    this.steady = drive - this.friction
     this.low = Math.max(this.from, -FAR)
     this.high = Math.min(this.to, FAR)
   }

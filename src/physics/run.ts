@@ -1,3 +1,4 @@
+import { apart } from './apart.ts'
 import type { ResolvedExperiment } from './experiment.ts'
 import { ExactSum } from './exactSum.ts'
 import type { Integrator } from './integrator.ts'
@@ -11,7 +12,6 @@ import type { StoppingRule } from './stoppingRule.ts'
 import { timesteps } from './timesteps/index.ts'
 import type { Advance, TimestepPolicy } from './timestepPolicy.ts'
 import type { Scene } from './scene.ts'
-import { unit } from './unit.ts'
 
 // Few enough that an integrator is called often: an engine that has to replace the code of a loop while it runs makes worse code
 // of it, which boxes every number that the loop carries.
@@ -65,7 +65,7 @@ export class Run {
     const { parameters } = experiment
     const integrator: Integrator = entry(integrators, experiment.integrator)
     const stopping: StoppingRule = entry(stoppings, experiment.stopping)
-    this.integrator = watch ? watch.integrator(integrator) : unit(integrator)
+    this.integrator = watch ? watch.integrator(integrator) : setApart(integrator)
     this.stopping = watch ? watch.stopping(stopping) : stopping
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
     this.advance = timestep.start(experiment.timestep as never)
@@ -144,17 +144,36 @@ export class Run {
     let left = count
     while (left > 0 && motion.moving) {
       const row = Math.min(left, LONGEST_ROW)
-      if (this.inRows && motion.startRow(row)) {
+      motion.left = row
+      if (this.inRows) apart(startRow, motion)
+      if (motion.inRow) {
         this.integrator.step(motion)
         left -= row - motion.left
+        motion.inRow = false
         if (motion.left === 0) continue
       }
-      motion.endRow()
+      motion.left = 0
       this.stopping.advance(motion, this.integrator)
       if (!motion.moving)
         this.outcomeTime = this.stateTime + (before + count - left) * motion.dt + motion.elapsed
       left--
     }
     this.drawnS = motion.s
+  }
+}
+
+function startRow(motion: Motion): void {
+  motion.startRow()
+}
+
+/** The same integrator, its steps compiled by themselves. */
+function setApart(integrator: Integrator): Integrator {
+  // From a list, since a function that an engine knows to be always the same it would compile in after all.
+  const steps = [integrator.step]
+  return {
+    ...integrator,
+    step: (motion) => {
+      apart(steps[0]!, motion)
+    },
   }
 }

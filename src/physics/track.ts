@@ -29,7 +29,9 @@ export function straight(angle: number, to = Infinity): Piece {
 
 /** The point of a track at the distance `s` [m]. Beyond its ends the outermost pieces go on. */
 export function placeOn(track: Track, s: number): Place {
-  const piece = track.find(({ to }) => s <= to) ?? track[track.length - 1]!
+  let i = 0
+  while (i < track.length - 1 && !(s <= track[i]!.to)) i++
+  const piece = track[i]!
   const { at, x, y, slope, sin, cos, curvature } = piece
   const distance = s - at
   if (curvature === 0) return { x: x + cos * distance, y: y - sin * distance, slope, curvature }

@@ -16,13 +16,13 @@ import type { Care } from './timing/rounds.ts'
 /** Said while it goes on. */
 export type Tell = (what: string) => void
 
-const careful: Care = { rounds: 21, atLeast: 3, warming: 60 }
+const careful: Care = { rounds: 41, atLeast: 1, warming: 60 }
 const hasty: Care = { rounds: 3, atLeast: 0.5, warming: 5 }
 
 /** A curve has two dozen points, whose neighbours bear them out: fewer rounds do. */
 const forCurves = ({ rounds, atLeast, warming }: Care): Care => ({
-  rounds: Math.ceil(rounds / 3),
-  atLeast: atLeast / 2,
+  rounds: Math.ceil(rounds / 2),
+  atLeast: atLeast / 4,
   warming: warming / 4,
 })
 
@@ -57,7 +57,10 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
     const given = { scene, integrator, care }
     alone.push(...((await attempt(`steps: ${scene}, ${integrator}`, 'alone', given)) ?? []))
   }
-  const mixed = await attempt('steps: everything mixed', 'mixed', { care })
+  const mixed = await attempt('steps: everything mixed', 'mixed', {
+    methods: methods.map(({ id }) => id),
+    care,
+  })
   const steps = stepTimes(alone, mixed ?? [])
 
   const clocks = peerClocks.map(({ label }) => label).slice(0, quick ? 1 : undefined)

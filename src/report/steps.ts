@@ -53,10 +53,13 @@ export function timeAlone(scene: string, integrator: string, care: Care): TrialT
   )
 }
 
-/** Times every scene with every method, in a process whose call sites have seen everything. */
-export function timeMixed(care: Care): TrialTimes[] {
+/** Times every scene with these methods, in a process whose call sites have seen everything. */
+export function timeMixed(methods: readonly string[], care: Care): TrialTimes[] {
   meetEverything()
-  return timeTrials(bareLoops, care)
+  return timeTrials(
+    bareLoops.filter(({ integrator }) => methods.includes(integrator)),
+    care,
+  )
 }
 
 /** Runs all scenes, methods, rules and policies, so that the call sites of this process have seen them. */

@@ -6,8 +6,8 @@ import type { Profiled } from './tasks.ts'
 type Measured = Pick<Report, 'steps' | 'peers' | 'frontiers'>
 type Found = Pick<Target, 'figure' | 'from'> | undefined
 
-/** Less than one number in a hundred steps: what the engine itself takes now and then [bytes]. */
-const NOTHING = 0.125
+/** One boxed number a step takes 12 bytes and more; less than this is what the engine itself takes now and then. */
+const NOTHING = 1
 
 /** What was asked for, and what came out. Targets without a figure, because something could not be run, are left out. */
 export function targets({ steps, peers, frontiers }: Measured): Target[] {
@@ -38,9 +38,13 @@ export function targets({ steps, peers, frontiers }: Measured): Target[] {
       worst(steps, ({ bytes }) => bytes.mixed),
     ),
     target(
-      ['recorded', 'simulate, which records every frame: times the hand-written loop'],
+      ['recorded', 'simulate, which records every frame, of a moving block: times the same loop'],
       ['at most', 2],
-      worst(steps, ({ ratios }) => ratios.recorded),
+      // A hand-written loop ends where the block rests; a recording goes on.
+      worst(
+        steps.filter(({ trial }) => trial === 'moves'),
+        ({ ratios }) => ratios.recorded,
+      ),
     ),
     target(
       ['peers-time', 'Time of a step of the fastest engine, divided by ours'],

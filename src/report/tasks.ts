@@ -14,7 +14,7 @@ export const tasks = {
   alone: ({ scene, integrator, care }: { scene: string; integrator: string; care: Care }) =>
     timeAlone(scene, integrator, care),
 
-  mixed: ({ care }: { care: Care }) => timeMixed(care),
+  mixed: ({ methods, care }: { methods: string[]; care: Care }) => timeMixed(methods, care),
 
   ourRuns: ({ clocks }: { clocks: string[] }) => ourRuns(clocks),
 

@@ -4,6 +4,7 @@ import { drawDiagrams } from './diagrams/index.ts'
 import type { Tell } from './measure.ts'
 import { reportProblems } from './schema.ts'
 import type { Report } from './schema.ts'
+import { targets } from './targets.ts'
 import { formatted } from './text/formatted.ts'
 import { withReport } from './text/readme.ts'
 import { rounded } from './text/rounded.ts'
@@ -21,7 +22,9 @@ export function readReport(): Report {
  * @throws Error if what was measured is not a report
  */
 export async function writeReport(measured: Omit<Report, 'diagrams'>, tell: Tell): Promise<void> {
-  const figures = rounded(measured)
+  const tidy = rounded(measured)
+  // Anew from the tidy figures, so that they follow from what is published.
+  const figures = { ...tidy, targets: rounded(targets(tidy)) }
   const drawings = drawDiagrams(figures)
   const report: Report = { ...figures, diagrams: drawings.map(({ about }) => about) }
   const problems = reportProblems(report)

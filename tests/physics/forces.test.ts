@@ -43,7 +43,9 @@ describe('the force vectors', () => {
         // Ten roundings of the largest of the forces.
         const rounding = 10 * Number.EPSILON * scale
         const along = dot(forces.sum, forces.along)
-        expect(Math.abs(along - law.mass * motion.acceleration(state.s, state.v))).toBeLessThan(rounding)
+        expect(Math.abs(along - law.mass * motion.acceleration(state.s, state.v))).toBeLessThan(
+          rounding,
+        )
         const { curvature } = scene.place(parameters, state.s)
         const across = dot(forces.sum, forces.across)
         // A falling ball has no track to be across of.

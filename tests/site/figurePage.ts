@@ -16,7 +16,7 @@ export async function openFigures(
   const { page, problems } = await openPage(options)
   await page.evaluate((names) => {
     const main = document.querySelector('main')!
-    main.innerHTML = '<h1>Figures</h1>'
+    main.innerHTML = '<h1>Figures</h1><h2>Of the tutorial</h2>'
     for (const name of names) {
       const figure = document.createElement('figure')
       figure.style.cssText = 'max-width: 47rem; margin: 0 auto 3000px'

@@ -98,6 +98,26 @@ test('grips can be dragged and moved by keys', async () => {
   site.expectNoProblems()
 })
 
+test('a finger drags a grip without scrolling the page', async () => {
+  const site = await openFigures(['forces-on-slope'], { width: 390, hasTouch: true })
+  const element = await site.see('forces-on-slope')
+  const { x, y, width, height } = (await element.locator('.grip').boundingBox())!
+  const scrolled = () => site.page.evaluate(() => scrollY)
+  const before = await scrolled()
+  const session = await site.page.context().newCDPSession(site.page)
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', dy: number) =>
+    session.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: type === 'touchEnd' ? [] : [{ x: x + width / 2, y: y + height / 2 + dy }],
+    })
+  await touch('touchStart', 0)
+  for (let dy = 8; dy <= 48; dy += 8) await touch('touchMove', dy)
+  await touch('touchEnd', 48)
+  expect((await site.values('forces-on-slope')).angle).toBeLessThan(25)
+  expect(await scrolled()).toBe(before)
+  site.expectNoProblems()
+})
+
 test('set wakes a figure that is far away, takes text, and refuses what can’t be', async () => {
   const site = await openFigures(['falling-ball', 'three-stops', 'chatter'])
   expect(await site.figure('chatter').getAttribute('live')).toBeNull()

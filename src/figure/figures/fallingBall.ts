@@ -1,11 +1,12 @@
 import { exactMotion } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../../view/graph.ts'
-import { metres, place, seconds } from '../../view/numbers.ts'
+import { place, seconds } from '../../view/numbers.ts'
 import { write } from '../../view/text.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { figure } from './figure.ts'
 import type { Surface, View } from './figure.ts'
+import { roughly } from './words.ts'
 
 /** How long it falls [s], and as deep as the picture goes [m]. */
 const DURATION = 1
@@ -61,7 +62,7 @@ export const fallingBall = figure({
     const truth = exactMotion(run!.experiment)(time, { s: 0, v: 0 }).s
     const so = `After ${seconds(time)} at ${fps} fps it has fallen ${place(fallen)}; the true ball has fallen ${place(truth)}.`
     if (method === 'variable')
-      return `${so} The frame rate is no longer in it, but for ${metres(Math.abs(fallen - truth))}: another story, and the next.`
+      return `${so} Delta time has mended the clock; the ${roughly(Math.abs(fallen - truth))} that are left are the method’s.`
     const rate = fps * STEP
     if (Math.abs(rate - 1) < 0.005)
       return `${so} At 60 fps, and at no other, the game runs as it was made.`

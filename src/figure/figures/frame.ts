@@ -15,10 +15,8 @@ const LINE = 1.375
 /** Above, between and below [rem]. */
 const ROOM = 2.25
 
-/** The letters of a sentence that fit in a line of a wide figure, and of a narrow one. */
-const LETTERS = { wide: 95, narrow: 44 }
-/** How many letters the longest sentence of a figure has room for. */
-const LONGEST = 190
+/** The lines that the longest sentence of a figure takes in a wide figure, and in a narrow one. */
+const LINES = { wide: 3, narrow: 5 }
 
 /** The figure's room as the text of a style attribute; the still at build time and the live figure have the same. */
 export function frameOf(figure: Figure): string {
@@ -41,8 +39,7 @@ function below(figure: Figure, width: 'wide' | 'narrow'): number {
     (figure.duration || figure.action ? 1 : 0)
   const count = readingCount(figure)
   const readings = narrow ? Math.ceil(count / 2) : Math.min(1, count)
-  const lines = Math.ceil(LONGEST / LETTERS[width])
-  return Number((ROOM + rows * ROW + readings * READINGS + lines * LINE).toFixed(3))
+  return Number((ROOM + rows * ROW + readings * READINGS + LINES[width] * LINE).toFixed(3))
 }
 
 /** A choice is one row; on a narrow page, its name and as many as its buttons take. */

@@ -14,7 +14,12 @@ function stillOf(runs: readonly Trajectory[], names: readonly string[]): Still {
   const first = runs[0]!
   const known = kept.get(first)
   const key = names.join()
-  if (known?.names === key && runs.every((run, i) => run === known.runs[i])) return known.still
+  if (
+    known?.names === key &&
+    runs.length === known.runs.length &&
+    runs.every((run, i) => run === known.runs[i])
+  )
+    return known.still
   const { scene, parameters, duration } = parseExperiment(first.experiment)
   const still: Still = {
     scene: scenes.find(({ id }) => id === scene)!,

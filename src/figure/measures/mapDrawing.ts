@@ -2,6 +2,7 @@ import { html, nothing, svg } from 'lit'
 import { mappedExperiment, stableRate } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
 import { plain } from '../../view/numbers.ts'
+import { roundAbove, toStep } from '../../view/round.ts'
 import { mappedOption } from './mapWords.ts'
 import { round, svgMark } from './svgMark.ts'
 
@@ -39,10 +40,7 @@ export function mapDrawing(
   const { width, height, left, right, top, bottom } = frame
   const option = mappedOption(request)
   const shown = right - left < 420 ? fewRates : rates
-  const ticks = Array.from(
-    { length: 7 },
-    (_, i) => request.from + ((request.to - request.from) * i) / 6,
-  )
+  const ticks = roundTicks(request)
   return html`<svg
     width=${width}
     height=${height}
@@ -76,6 +74,14 @@ export function mapDrawing(
     ${here ? svg`<g class="here" style="--look: var(--runner-${here.look})">${svgMark(here.look, xOf(request, frame, here.column), yOf(request, frame, here.row), 6)}</g>` : nothing}
     ${cross ? crossHair(request, frame, cross) : nothing}
   </svg>`
+}
+
+/** Round values between the ends of the axis. */
+function roundTicks({ from, to }: MapRequest): number[] {
+  const step = roundAbove((to - from) / 7)
+  const first = Math.ceil(from / step - 1e-9)
+  const last = Math.floor(to / step + 1e-9)
+  return Array.from({ length: last - first + 1 }, (_, i) => toStep((first + i) * step, step))
 }
 
 /** The place of a frame rate and a parameter's value in a map, if it is there. */

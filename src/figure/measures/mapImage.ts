@@ -14,12 +14,9 @@ export function paintMap(
   const { columns, rows } = cells.request
   const { low, high } = cells.decades()
   const pen = canvas.getContext('2d')!
-  const [ground, soft, ink, sheet] = [
-    palette.ground,
-    palette.inkSoft,
-    palette.ink,
-    palette.sheet,
-  ].map((colour) => toRgb(pen, colour)) as [Rgb, Rgb, Rgb, Rgb]
+  const [ground, soft, sheet] = [palette.ground, palette.inkSoft, palette.ink, palette.sheet].map(
+    (colour) => toRgb(pen, colour),
+  ) as [Rgb, Rgb, Rgb]
   const colourOf = (kind: CellKind, value: number, column: number, row: number): Rgb => {
     switch (kind) {
       case 'measured':
@@ -27,7 +24,7 @@ export function paintMap(
       case 'left-the-track':
         return (column + row) % 4 === 0 ? soft : ground
       case 'diverged':
-        return (column - row + rows) % 4 < 2 ? ink : soft
+        return (column - row + rows) % 4 < 2 ? soft : sheet
       case 'refused':
         return column % 4 === 0 && row % 4 === 0 ? soft : ground
       default:

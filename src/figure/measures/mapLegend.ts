@@ -1,5 +1,6 @@
 import { html, nothing } from 'lit'
 import { REFERENCE_RATE, ROUNDING } from '../../measure/index.ts'
+import { HIGHEST } from './mapCells.ts'
 import type { MapCells } from './mapCells.ts'
 import { rampGradient } from './ramp.ts'
 import { metresText } from './scale.ts'
@@ -23,7 +24,7 @@ export function mapLegend(cells: MapCells, dark: boolean, limit: string) {
         ${ticks.map(
           (exponent, i) =>
             html`<span style="left: ${(100 * i) / (ticks.length - 1)}%"
-              >${(high - exponent) % every === 0 ? metresText(exponent) : nothing}</span
+              >${(high - exponent) % every === 0 ? `${exponent === HIGHEST ? '≥\u2009' : ''}${metresText(exponent)}` : nothing}</span
             >`,
         )}
       </div>

@@ -80,8 +80,8 @@ export function summary(cells: MapCells): string {
 function percent(part: number): string {
   const size = 100 * part
   return size > 99 && size < 100
-    ? '99\u2009%'
-    : `${size < 1 ? '<\u20091' : Math.round(size)}\u2009%`
+    ? '99\u202f%'
+    : `${size < 1 ? '<\u202f1' : Math.round(size)}\u202f%`
 }
 
 /** Units keep their letters’ case when a label is written small. */

@@ -163,7 +163,7 @@ export class RateMap extends LitElement {
         ${width > 0 ? mapDrawing(request, frame, this.here(), shown) : nothing}
       </div>
       ${cells ? mapLegend(cells, this.isDark, this.limitWords(request)) : nothing}
-      <p class="reading">
+      <p class="read-out">
         ${
           shown && cells
             ? html`<b>${placeText(request, shown.column, shown.row)}:</b> the run

@@ -179,7 +179,7 @@ export class SpeedDiagram extends LitElement {
         ${request.experiment.duration === 0 ? html`<p class="absent">A run of 0 s costs nothing and is never wrong.</p>` : nothing}
       </div>
       ${this.layout && !this.layout.named ? this.key(curves) : nothing}
-      <p class="reading">
+      <p class="read-out">
         ${
           spot
             ? html`<b>${this.nameOf(spot.point)}</b> at ${rateText(spot.point.rate)}:
@@ -216,7 +216,7 @@ export class SpeedDiagram extends LitElement {
     const found = advice(curves)
     const least = leastError(curves)
     return html`<div class="advice">
-      <h4>What to use here <span class="soft">by ${cost.toLowerCase()}</span></h4>
+      <p class="title">What to use here <span class="soft">by ${cost.toLowerCase()}</span></p>
       <ul>
         ${found.map(
           ({ error, point }) =>

@@ -127,9 +127,7 @@ export class SpreadView extends LitElement {
       ${scenes.map(({ id, label }, column) => {
         const spread = spreads?.[column]
         if (spread === undefined) return html`<td>…</td>`
-        const text = Number.isFinite(spread)
-          ? metres(Number(spread.toPrecision(2)))
-          : 'without bound'
+        const text = Number.isFinite(spread) ? metres(spread) : 'without bound'
         const [figure, remark] = text.split(/ (?=\()/)
         return html`<td ?data-exact=${remark !== undefined}>
           <button

@@ -6,6 +6,7 @@ import {
   spreadTable,
   sweep,
   sweepMethods,
+  TIMED_ROUNDS,
   timedSweep,
 } from '../../measure/index.ts'
 import type {
@@ -56,7 +57,7 @@ export function begin(value: unknown, clock: Clock): Work {
       const points = checked.methods.length * checked.rates.length
       return kind === 'sweep'
         ? { parts: sweep(checked), total: points }
-        : { parts: timedSweep(checked, clock), total: 2 * points }
+        : { parts: timedSweep(checked, clock), total: TIMED_ROUNDS * points }
     }
     case 'map': {
       const checked = mapRequest(asked)

@@ -24,12 +24,20 @@ export interface Face {
 export function face(shown: Face) {
   const { figure, values, runs, playback, spoken, guest } = shown
   const says = atNow(playback, (time) => figure.says(values, runs, time))
-  return html`<div class="pictures" @change=${hush} @input=${hush}>${guest ?? pictures(shown)}</div>
+  return html`<div class="pictures ${guest ? 'hosted' : ''}" @change=${hush} @input=${hush}>
+      ${guest ? withHeading(figure, guest) : pictures(shown)}
+    </div>
     <div class="below" @change=${hush} @input=${hush}>
       ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
       <p class="says">${says}</p>
       <p class="visually-hidden" aria-live="polite">${spoken}</p>
     </div>`
+}
+
+/** A guest has headings of its own, under one of the figure’s. */
+function withHeading({ title }: Figure, guest: HTMLElement) {
+  return html`<h3 class="visually-hidden">${title}</h3>
+    ${guest}`
 }
 
 function pictures({ figure, values, runs, playback, set }: Face) {

@@ -22,7 +22,9 @@ export const explicitEuler = {
       const a = motion.acceleration(s, v)
       s = s + v * dt
       v = v + a * dt
-    } while (motion.goesOn(s, v))
+      motion.s = s
+      motion.v = v
+    } while (motion.goesOn())
   },
   // #endregion
 } as const satisfies Integrator

@@ -45,7 +45,9 @@ export const implicitMidpoint = {
       if (iterations >= MOST_ITERATIONS) motion.leaveUnsolved()
       s = s + guess * dt
       v = guess + guess - v
-    } while (motion.goesOn(s, v))
+      motion.s = s
+      motion.v = v
+    } while (motion.goesOn())
   },
   // #endregion
 } as const satisfies Integrator

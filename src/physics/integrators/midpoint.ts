@@ -22,7 +22,9 @@ export const midpoint = {
       const aHalf = motion.acceleration(s + 0.5 * dt * v, vHalf)
       s = s + vHalf * dt
       v = v + aHalf * dt
-    } while (motion.goesOn(s, v))
+      motion.s = s
+      motion.v = v
+    } while (motion.goesOn())
   },
   // #endregion
 } as const satisfies Integrator

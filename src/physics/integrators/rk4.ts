@@ -36,7 +36,9 @@ export const rk4 = {
       const a4 = motion.acceleration(s + dt * v3, v4)
       s = s + (dt * (v + 2 * (v2 + v3) + v4)) / 6
       v = v + (dt * (a1 + 2 * (a2 + a3) + a4)) / 6
-    } while (motion.goesOn(s, v))
+      motion.s = s
+      motion.v = v
+    } while (motion.goesOn())
   },
   // #endregion
 } as const satisfies Integrator

@@ -21,7 +21,9 @@ export const semiImplicitEuler = {
     do {
       v = v + motion.acceleration(s, v) * dt
       s = s + v * dt
-    } while (motion.goesOn(s, v))
+      motion.s = s
+      motion.v = v
+    } while (motion.goesOn())
   },
   // #endregion
 } as const satisfies Integrator

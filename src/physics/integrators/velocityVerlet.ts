@@ -31,7 +31,9 @@ export const velocityVerlet = {
       s = s + (v + 0.5 * before * dt) * dt
       a = motion.acceleration(s, v + before * dt)
       v = v + 0.5 * (before + a) * dt
-      if (!motion.goesOn(s, v)) break
+      motion.s = s
+      motion.v = v
+      if (!motion.goesOn()) break
       // This step's a′ is the next step's a, unless the force looks at the velocity.
       if (!reusable) a = motion.acceleration(s, v)
     }

@@ -83,7 +83,18 @@ export const runOut = {
   exact: (parameters: RunOutParameters) => exactTrack(track(parameters), parameters),
 } as const satisfies Scene
 
-function track({ angle, length, bendRadius }: RunOutParameters) {
+let latest: { angle: number; length: number; bendRadius: number; track: RunOutTrack } | undefined
+
+/** The track, laid out anew only where it is another than last: a picture asks for hundreds of its points. */
+function track({ angle, length, bendRadius }: RunOutParameters): RunOutTrack {
+  if (latest?.angle !== angle || latest.length !== length || latest.bendRadius !== bendRadius)
+    latest = { angle, length, bendRadius, track: layOut(angle, length, bendRadius) }
+  return latest.track
+}
+
+type RunOutTrack = ReturnType<typeof layOut>
+
+function layOut(angle: number, length: number, bendRadius: number) {
   const slope = straight(angle, length)
   const top = placeOn([slope], length)
   const end = length + bendRadius * radians(angle)

@@ -1,35 +1,14 @@
-import { createRequire } from 'node:module'
+import { Solver } from 'odex'
 import { exactMotion } from '../../physics/index.ts'
 import type { WorkCurve, WorkPoint } from '../schema.ts'
 import { median, timeRounds } from '../timing/rounds.ts'
 import type { Care, Work } from '../timing/rounds.ts'
 import type { Problem } from './problems.ts'
 
-/** What is used of odex. Its own types are its sources, which this project's stricter compiler would refuse. */
-interface Solver {
-  relativeTolerance: number
-  absoluteTolerance: number
-  maxSteps: number
-  solve(
-    f: (t: number, y: number[]) => number[],
-    from: number,
-    start: number[],
-    to: number,
-    seen?: (n: number, before: number, t: number, y: number[]) => void,
-  ): { y: number[]; outcome: number }
-}
-
-const { Solver } = createRequire(import.meta.url)('odex') as {
-  Solver: new (size: number) => Solver
-}
-
 const CONVERGED = 0
 
 /** Three to each power of ten. */
-export const tolerances: readonly number[] = Array.from(
-  { length: 34 },
-  (_, i) => 10 ** (-1 - i / 3),
-)
+const tolerances: readonly number[] = Array.from({ length: 34 }, (_, i) => 10 ** (-1 - i / 3))
 
 /** odex at all tolerances, and for which of them it gave up. */
 export function odexCurve(problem: Problem, care: Care): { curve: WorkCurve; failed: number[] } {

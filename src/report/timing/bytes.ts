@@ -2,6 +2,9 @@ import type { Work } from './rounds.ts'
 
 const ROUNDS = 5
 
+/** So little is nothing [bytes]: no engine has a number that small. */
+const NOTHING = 0.05
+
 /**
  * Bytes of the JavaScript heap that a unit of a work takes. The least of five rounds, since the engine itself may use
  * memory at any time. Needs `node --expose-gc` and a young generation that holds a round without being collected.
@@ -9,7 +12,7 @@ const ROUNDS = 5
 export function bytesOf(work: Work): number {
   let least = Infinity
   let used = 0
-  for (let round = 0; round < ROUNDS; round++) {
+  for (let round = 0; round < ROUNDS && least > NOTHING * work.units; round++) {
     work.prepare?.()
     globalThis.gc?.()
     const before = process.memoryUsage().heapUsed

@@ -36,6 +36,8 @@ export async function highlighter(): Promise<Highlight> {
     const { tokens } = shiki.codeToTokens(code, {
       lang: language as (typeof languages)[number],
       theme: 'page',
+      // However slow the machine: a line that took too long would be left plain.
+      tokenizeTimeLimit: 0,
     })
     return tokens.map((line) => `<span class="line">${lineHtml(line)}</span>`).join('\n')
   }

@@ -7,8 +7,11 @@ export function escaped(text: string): string {
     .replaceAll('"', '&quot;')
 }
 
+/** Attributes by name. */
+export type Values = Readonly<Record<string, string | number | undefined>>
+
 /** Attributes with a space in front of each; what is undefined is left out. */
-export function attributes(values: Readonly<Record<string, string | number | undefined>>): string {
+export function attributes(values: Values): string {
   return Object.entries(values)
     .filter(([, value]) => value !== undefined)
     .map(([name, value]) => ` ${name}="${escaped(String(value))}"`)

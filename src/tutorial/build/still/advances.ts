@@ -20,7 +20,7 @@ interface Font {
   readonly family: 'sans' | 'serif'
 }
 
-export function fontOf(font: string): Font {
+function fontOf(font: string): Font {
   const size = Number(/([\d.]+)px/.exec(font)?.[1] ?? 10)
   const weight = Number(/\b([1-9]00)\b/.exec(font)?.[1] ?? (font.includes('bold') ? 600 : 400))
   const family = font.includes('--serif') ? 'serif' : 'sans'

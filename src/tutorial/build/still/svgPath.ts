@@ -3,7 +3,7 @@ import type { Matrix } from './matrix.ts'
 
 /** One piece of a path: an SVG command with its points; an arc of a circle has its radius and flags besides. */
 interface Piece {
-  readonly command: 'M' | 'L' | 'Q' | 'C' | 'A' | 'Z'
+  readonly command: 'M' | 'L' | 'A' | 'Z'
   readonly points: readonly (readonly [number, number])[]
   readonly arc?: { readonly radius: number; readonly long: boolean; readonly clockwise: boolean }
 }
@@ -25,16 +25,6 @@ export class SvgPath {
   /** The first line of a path goes nowhere: it begins the path. */
   lineTo(x: number, y: number): void {
     this.pieces.push({ command: this.pieces.length > 0 ? 'L' : 'M', points: [[x, y]] })
-  }
-
-  quadraticCurveTo(x1: number, y1: number, x: number, y: number): void {
-    const points = [[x1, y1] as const, [x, y] as const]
-    this.pieces.push({ command: 'Q', points })
-  }
-
-  bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void {
-    const points = [[x1, y1] as const, [x2, y2] as const, [x, y] as const]
-    this.pieces.push({ command: 'C', points })
   }
 
   closePath(): void {

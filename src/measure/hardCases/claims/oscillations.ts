@@ -1,0 +1,116 @@
+import type { Claim, Claims } from '../claim.ts'
+
+const bounded: Claim = {
+  what: 'Methods within their limit: farthest from the middle, starting at 1 m',
+  why: '1/√(1 − (ωΔt/2)²) for semi-implicit Euler, the start for the others, and 60 000 roundings',
+  unit: 'm',
+}
+const energy: Claim = {
+  what: 'Implicit midpoint: largest change of the energy',
+  why: 'it keeps this energy exactly; each step is solved to some roundings',
+  unit: 'of the energy',
+  rounding: true,
+}
+const diverged: Claim = {
+  what: 'Methods beyond their limit: steps until the run is called diverged',
+  why: 'the growth of the method’s step matrix, up to a factor of a thousand',
+  unit: 'things',
+  failure: 'diverges, when the theory says so',
+}
+const spring: Claims = { bounded, energy, diverged }
+
+const band = (power: string): Claim => ({
+  what: 'Largest change of the energy in 10 000 s',
+  why: `a symplectic method’s energy is off by (ωΔt)${power} of itself, and no more with time`,
+  unit: 'of the energy',
+})
+
+/** What holds of the cases of swings. */
+export const oscillationsClaims: Readonly<Record<string, Claims>> = {
+  'pipe-from-89-degrees': {
+    'semi-implicit-euler': band(''),
+    'velocity-verlet': band('²'),
+    'implicit-midpoint': band('²'),
+    yoshida4: band('⁴'),
+    drift: {
+      what: 'These four: what the 9900 s after the first 100 s add to it',
+      why: 'a hundredth of it, and a random walk of 600 000 roundings',
+      unit: 'of the energy',
+    },
+    rk4: {
+      what: 'Loss of energy in 10 000 s',
+      why: 'at most (ωΔt)⁶/72 a step, less on swings as wide as these, but a tenth at least',
+      unit: 'of the energy',
+    },
+    'explicit-euler': {
+      what: 'Leaves the pipe after',
+      why: 'it gains energy, and the lip is 1.75 % away: in one of the first swings',
+      unit: 's',
+      failure: 'is thrown out, as it should be expected to',
+    },
+    midpoint: {
+      what: 'Leaves the pipe after',
+      why: 'it gains energy too, but as a method of second order',
+      unit: 's',
+      failure: 'is thrown out, as it should be expected to',
+    },
+  },
+  'below-verlets-limit': spring,
+  'at-verlets-limit': {
+    ...spring,
+    linear: {
+      what: 'Semi-implicit Euler: distance, over 2 m a step and 1 m',
+      why: 'at the limit itself every step adds as much as the one before',
+      unit: 'things',
+      failure: 'grows, but only evenly',
+    },
+  },
+  'beyond-verlets-limit': spring,
+  'below-rk4s-limit': spring,
+  'beyond-rk4s-limit': { energy, bounded: { ...bounded, why: 'the start, and 60 000 roundings' }, diverged },
+  'stiff-as-steel': {
+    energy,
+    evaluations: {
+      what: 'Implicit midpoint: evaluations a step',
+      why: 'a line through two points solves a spring’s equation; a third look sees that it has',
+      unit: 'things',
+    },
+    diverged: {
+      what: 'All other methods: frames until the run is called diverged',
+      why: 'a step multiplies the swing by hundreds',
+      unit: 'things',
+      failure: 'diverges, and says so',
+    },
+  },
+  'many-reversals': {
+    found: {
+      what: 'All but explicit Euler: turns found in the first second',
+      why: 'each half swing ends with one: √4000/π',
+      unit: 'things',
+    },
+    error: {
+      what: 'The same: largest error',
+      why: 'by what each method’s frequency is off, a power of ωΔt',
+      unit: 'm',
+    },
+    'explicit-euler': {
+      what: 'Diverges after',
+      why: 'it gains (ωΔt)² a step',
+      unit: 's',
+      failure: 'diverges, and says so',
+    },
+  },
+  'many-reversals-in-a-step': {
+    ends: {
+      what: 'Evaluations a step',
+      why: 'a hundred jumps, each found in a hundred tries of four evaluations',
+      unit: 'things',
+    },
+    wrong: {
+      what: 'Off at the end',
+      why: 'no method sees what happens twenty times within its step',
+      unit: 'm',
+      failure: 'wrong, but it ends',
+    },
+  },
+}

@@ -1,0 +1,28 @@
+import type { Bound } from './bound.ts'
+import extremes from './results/extremes.json'
+import frames from './results/frames.json'
+import friction from './results/friction.json'
+import jumps from './results/jumps.json'
+import oscillations from './results/oscillations.json'
+
+/** What was measured of a claim, of all runs the one that came nearest to its bound. */
+export interface Result {
+  /** That run, in words. */
+  readonly run: string
+  /** How many were measured. */
+  readonly runs: number
+  readonly value: number
+  readonly bound: Bound
+}
+
+/** Results by case and claim. */
+export type Results = Readonly<Record<string, Readonly<Record<string, Result>>>>
+
+/** What the tests measured of every claim. They write these files by `npm run hard-cases`, and fail on other figures. */
+export const hardCaseResults: Results = {
+  ...friction,
+  ...frames,
+  ...oscillations,
+  ...extremes,
+  ...jumps,
+}

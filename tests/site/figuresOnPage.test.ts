@@ -1,0 +1,42 @@
+import { expect, test } from 'vitest'
+import { figures } from '../../src/figure/figures/index.ts'
+import { openPage } from './page.ts'
+
+// At these widths of the page; the last figure is another element, which says for itself how much room it takes.
+test.each([390, 768, 1440])('at %d px a figure that comes alive moves nothing', async (width) => {
+  const { page, problems } = await openPage({ width })
+  const heights = () =>
+    page.$$eval('slide-figure', (all) =>
+      all.map((each) => [each.getAttribute('name'), (each as HTMLElement).offsetHeight]),
+    )
+  const before = await heights()
+  const names = before.map(([name]) => name)
+  expect(new Set(names)).toEqual(new Set(figures.map(({ id }) => id)))
+  for (const name of names) {
+    const figure = page.locator(`slide-figure[name="${name}"]`)
+    await figure.scrollIntoViewIfNeeded()
+    await figure.and(page.locator('[live]')).waitFor()
+  }
+  const own = ([name]: readonly unknown[]) => name !== 'speed-against-error'
+  expect((await heights()).filter(own)).toEqual(before.filter(own))
+  expect(problems).toEqual([])
+})
+
+test('before it comes near, nothing of a figure is loaded but what its name stands for', async () => {
+  const { page, problems } = await openPage({ height: 600 })
+  const loaded = () =>
+    page.evaluate(() =>
+      performance
+        .getEntriesByType('resource')
+        .map(({ name }) => name.replace(/.*\//, ''))
+        .filter((name) => name.endsWith('.js')),
+    )
+  await page.waitForTimeout(300)
+  const atFirst = await loaded()
+  expect(atFirst.filter((name) => /^(paperStep|flungOut|springLimit)/.test(name))).toEqual([])
+  await page.locator('slide-figure[name="paper-step"]').scrollIntoViewIfNeeded()
+  await expect
+    .poll(async () => (await loaded()).some((name) => name.startsWith('paperStep')))
+    .toBe(true)
+  expect(problems).toEqual([])
+})
