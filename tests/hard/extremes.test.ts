@@ -8,7 +8,8 @@ import {
   stoppings,
 } from '../../src/physics/index.ts'
 import type { Experiment, Scene } from '../../src/physics/index.ts'
-import { hardCase, having, largestError, last, methods, secondOrder } from './support.ts'
+import { measured, published } from './measured.ts'
+import { hardCase, having, largest, largestError, last, methods, secondOrder } from './support.ts'
 
 const ids = integrators.map(({ id }) => id)
 const sizes = [5e-324, 1e-310, 2.2250738585072014e-308, 1e-200, 1e-154, 1e-16, 1e6, 1e9]
@@ -52,7 +53,9 @@ describe('13 denormal and huge speeds and positions', () => {
     // The instant of a stop is known to a rounding of the frame, and the place to what a does in that time.
     const instant = Number.EPSILON / 60
     expect(run.outcome.time).toBeLessThanOrEqual(instant)
-    expect(Math.abs(last(run.s))).toBeLessThanOrEqual(10 * instant * instant)
+    measured('smallest-numbers', 'kick', [integrator], Math.abs(last(run.s)), {
+      atMost: 10 * instant * instant,
+    })
     expect(last(run.heat)).toBeLessThanOrEqual(10 * 10 * instant * instant)
   })
 
@@ -63,8 +66,8 @@ describe('13 denormal and huge speeds and positions', () => {
     // sin x = x there, so that all is linear, and a step rounds to 5e-324 some ten times; explicit Euler lets what it
     // has rounded grow by 1 + (ωΔt)² a step, to three times as much.
     const rounding = 600 * 10 * 5e-324 * 3
-    for (let row = 0; row <= small.frames; row++)
-      expect(Math.abs(small.s[row]! - large.s[row]! * 1e-110)).toBeLessThanOrEqual(rounding)
+    const apart = largest(small.s.map((s, row) => s - large.s[row]! * 1e-110))
+    measured('smallest-numbers', 'swing', [integrator], apart, { atMost: rounding })
   })
 
   it.each([1, 1e-154, 1e-190, 1e-250])(
@@ -133,26 +136,30 @@ describe('13 denormal and huge speeds and positions', () => {
   })
 
   it.each(secondOrder)('$id: at 1e9 m and 1e9 m/s it is off by ulps', ({ id }) => {
-    for (const experiment of hardCase('largest-numbers').experiments) {
+    const { id: name, experiments } = hardCase('largest-numbers')
+    for (const experiment of experiments) {
       const run = simulate({ ...experiment, integrator: id })
       expect(run.frames).toBe(120)
       // An ulp of up to 2e9 m, 2⁻²¹ m, for each of a step's few sums.
-      expect(largestError(run)).toBeLessThanOrEqual(120 * 2 ** -21)
+      measured(name, 'error', [id], largestError(run), { atMost: 120 * 2 ** -21 })
     }
   })
 })
 
 describe('16 zero gravity, zero mass, zero duration', () => {
   it.each(ids)('%s: without gravity a straight changes no speed', (integrator) => {
-    const [still, moving] = hardCase('zero-gravity').experiments as [Experiment, Experiment]
+    const { id: name, experiments } = hardCase('zero-gravity')
+    const [still, moving] = experiments as [Experiment, Experiment]
     for (const { id: stopping } of stoppings) {
       expect(simulate({ ...still, integrator, stopping }).s.every((s) => s === 0)).toBe(true)
       for (const scene of ['fall', 'ramp'] as const) {
         const run = simulate({ ...moving, scene, integrator, stopping })
         expect(run.outcome.kind).toBe('moving')
-        expect(run.v.every((v) => v === 2)).toBe(true)
+        const each = [integrator, scene, stopping]
+        measured(name, 'speed', each, largest(run.v.map((v) => v - 2)), { atMost: 0 })
         expect(last(run.heat)).toBe(0)
-        expect(Math.abs(last(run.s) - 4)).toBeLessThanOrEqual(120 * 4 * Number.EPSILON)
+        const off = Math.abs(last(run.s) - 4)
+        measured(name, 'place', each, off, { atMost: 120 * 4 * Number.EPSILON })
       }
     }
   })
@@ -171,20 +178,32 @@ describe('16 zero gravity, zero mass, zero duration', () => {
   })
 
   it('no mass is refused, with its range', () => {
-    const { experiments, refused } = hardCase('zero-mass')
+    const { id: name, experiments, refused } = hardCase('zero-mass')
     expect(refused).toBe(true)
-    expect(() => parseExperiment(experiments[0])).toThrow(
-      /^parameters.mass: 0 is not in 1e-9…1000000000$/,
+    const messages = experiments.map((experiment) => {
+      try {
+        parseExperiment(experiment)
+        return 'not refused'
+      } catch (error) {
+        return (error as Error).message
+      }
+    })
+    const right = messages.filter(
+      (message) => message === 'parameters.mass: 0 is not in 1e-9…1000000000',
     )
+    measured(name, 'refused', [], right.length, { atLeast: 1, atMost: 1 })
   })
 
   it('no duration is the start and nothing else', () => {
-    const [experiment] = hardCase('zero-duration').experiments as [Experiment]
+    const { id: name, experiments } = hardCase('zero-duration')
+    const [experiment] = experiments as [Experiment]
     for (const scene of scenes)
       for (const { id: integrator } of integrators) {
         const run = simulate({ ...experiment, scene: scene.id, integrator })
-        expect([run.frames, run.steps, run.evaluations, run.lostTime]).toEqual([0, 0, 0, 0])
-        expect([...run.time]).toEqual([0])
+        const each = [integrator, scene.id]
+        measured(name, 'rows', each, run.time.length, { atLeast: 1, atMost: 1 })
+        measured(name, 'work', each, run.steps + run.evaluations, { atMost: 0 })
+        expect([run.frames, run.time[0], run.lostTime]).toEqual([0, 0, 0])
         expect(run.outcome).toEqual({ kind: 'moving', time: 0 })
       }
   })
@@ -195,3 +214,5 @@ describe('16 zero gravity, zero mass, zero duration', () => {
     expect([run.motion.s, run.motion.v, run.time, run.stateTime]).toEqual([0, 1, 0, 0])
   })
 })
+
+published('extremes')

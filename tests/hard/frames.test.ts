@@ -1,11 +1,20 @@
 import { describe, expect, it } from 'vitest'
 import { createRun, exact, frameClocks, simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
-import { firstOrder, hardCase, largestError, last, methods, secondOrder } from './support.ts'
+import { measured, published } from './measured.ts'
+import {
+  firstOrder,
+  hardCase,
+  largest,
+  largestError,
+  last,
+  methods,
+  secondOrder,
+} from './support.ts'
 
 describe.each([hardCase('half-second-hitch'), hardCase('five-fps'), hardCase('wild-jitter')])(
   '7 $label',
-  ({ experiments }) => {
+  ({ id: name, experiments }) => {
     const [rough, paper, smooth] = experiments as [Experiment, Experiment, Experiment]
 
     it.each(secondOrder)('$id, located: ends where it ends at a steady 60 fps', ({ id }) => {
@@ -14,8 +23,9 @@ describe.each([hardCase('half-second-hitch'), hardCase('five-fps'), hardCase('wi
       expect(run.outcome.kind).toBe('at-rest')
       // Some 180 steps to the stop, each off by an ulp of 1.6 m at the most.
       const rounding = 180 * 2 * Number.EPSILON
-      expect(largestError(run)).toBeLessThanOrEqual(rounding)
-      expect(Math.abs(last(run.s) - last(other.s))).toBeLessThanOrEqual(rounding)
+      measured(name, 'located', [id], largestError(run), { atMost: rounding })
+      const apart = Math.abs(last(run.s) - last(other.s))
+      measured(name, 'same', [id], apart, { atMost: rounding })
       expect(Math.abs(run.outcome.time - other.outcome.time)).toBeLessThanOrEqual(rounding)
     })
 
@@ -23,26 +33,29 @@ describe.each([hardCase('half-second-hitch'), hardCase('five-fps'), hardCase('wi
       const run = simulate({ ...rough, integrator: id })
       const other = simulate({ ...smooth, integrator: id })
       // Off by ½ a Σ Δt²: centimetres at 60 fps, and another sum for other frames.
-      expect(Math.abs(last(run.s) - exact(rough, 3).s)).toBeGreaterThan(0.01)
+      const off = Math.abs(last(run.s) - exact(rough, 3).s)
+      measured(name, 'euler', [id], off, { above: 0.01 })
       expect(last(run.s)).not.toBe(last(other.s))
     })
 
     it('the paper’s step does not, and never rests', () => {
       const run = simulate(paper)
       expect(run.outcome.kind).toBe('moving')
-      expect(Math.abs(last(run.s) - exact(paper, 3).s)).toBeGreaterThan(0.01)
+      const off = Math.abs(last(run.s) - exact(paper, 3).s)
+      measured(name, 'paper', [paper.integrator!], off, { above: 0.01 })
     })
   },
 )
 
 describe('8 ten million frames', () => {
-  const { experiments } = hardCase('long-clock')
+  const { id: name, experiments } = hardCase('long-clock')
 
   it.each(experiments)('the run’s clock is rounded once: $frames.fps fps', (experiment) => {
     const { frames } = experiment as { frames: { fps: number } }
     const run = simulate(experiment)
     expect(run.frames).toBeGreaterThan(900_000)
-    expect(run.time.every((time, row) => time === row / frames.fps)).toBe(true)
+    const off = largest(run.time.map((time, row) => time - row / frames.fps))
+    measured(name, 'run', [`${frames.fps} fps`], off, { atMost: 0 })
     expect(run.stateTime.every((time, row) => time === run.time[row])).toBe(true)
   })
 
@@ -50,7 +63,7 @@ describe('8 ten million frames', () => {
     const steady = frameClocks.find(({ id }) => id === 'steady')!
     const frames = steady.start({ fps } as never)
     for (let i = 0; i < 1e7; i++) frames.next()
-    expect(frames.time).toBe(1e7 / fps)
+    measured(name, 'clock', [`${fps} fps`], Math.abs(frames.time - 1e7 / fps), { atMost: 0 })
   })
 
   it.each([60, 144])(
@@ -62,7 +75,7 @@ describe('8 ten million frames', () => {
       // Ten million times the rounded 1/fps, exactly, in units of 2⁻⁷⁰ s.
       const sum = Number(BigInt(dt * 2 ** 70) * 10_000_000n) / 2 ** 70
       const ulp = 2 ** (Math.floor(Math.log2(sum)) - 52)
-      expect(Math.abs(game.time - sum)).toBeLessThanOrEqual(ulp)
+      measured(name, 'loop', [`${fps} fps`], Math.abs(game.time - sum), { atMost: ulp })
       expect(game.frames).toBe(1e7)
       expect(game.stateTime).toBe(game.time)
     },
@@ -70,24 +83,26 @@ describe('8 ten million frames', () => {
 })
 
 describe('17 the spiral of death: steps of 1 ms, frames of 2 s', () => {
-  const [unbounded, bounded] = hardCase('spiral-of-death').experiments as [Experiment, Experiment]
+  const { id: name, experiments } = hardCase('spiral-of-death')
+  const [unbounded, bounded] = experiments as [Experiment, Experiment]
+  const exactly = (value: number) => ({ atLeast: value, atMost: value })
 
   it.each(methods)(
     '$id: takes all steps, or as many as it may and says what it dropped',
     ({ id }) => {
       const whole = simulate({ ...unbounded, integrator: id })
-      expect(whole.steps).toBe(20_000)
+      measured(name, 'whole', [id], whole.steps, exactly(20_000))
       expect(whole.lostTime).toBe(0)
       expect(last(whole.stateTime)).toBe(20)
       const late = simulate({ ...bounded, integrator: id })
       expect(late.frames).toBe(10)
-      expect(late.steps).toBe(10 * 50)
+      measured(name, 'steps', [id], late.steps / late.frames, exactly(50))
       // 1950 steps of 1 ms a frame, counted and multiplied once.
-      expect(late.lostTime).toBe(19_500 * 0.001)
+      measured(name, 'lost', [id], late.lostTime, exactly(19_500 * 0.001))
       expect(last(late.stateTime)).toBe(500 * 0.001)
       // The same steps, only fewer: where the whole run was after 500 of them.
       const short = simulate({ ...unbounded, integrator: id, duration: 0.5 })
-      expect(last(late.s)).toBe(last(short.s))
+      measured(name, 'same', [id], Math.abs(last(late.s) - last(short.s)), { atMost: 0 })
     },
   )
 
@@ -98,3 +113,5 @@ describe('17 the spiral of death: steps of 1 ms, frames of 2 s', () => {
     expect(game.lostTime + game.stateTime).toBe(1e6)
   })
 })
+
+published('frames')

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { energyResidual, frameRateSpread } from '../../src/measure/index.ts'
 import { exact, integrators, simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
+import { measured, published } from './measured.ts'
 import {
   firstOrder,
   hardCase,
@@ -9,6 +10,7 @@ import {
   largestError,
   last,
   methods,
+  largest,
   secondOrder,
 } from './support.ts'
 
@@ -24,7 +26,7 @@ function braking({ parameters }: Experiment) {
 
 describe.each([hardCase('stops-on-the-flat'), hardCase('stops-uphill')])(
   '1 $label',
-  ({ experiments }) => {
+  ({ id: name, experiments }) => {
     const base = { ...experiments[0]!, stopping: 'located' } as const
     const { a, time } = braking(base)
 
@@ -34,10 +36,13 @@ describe.each([hardCase('stops-on-the-flat'), hardCase('stops-uphill')])(
         expect(run.outcome.kind).toBe('at-rest')
         expect(last(run.v)).toBe(0)
         // Constant acceleration between the jumps: an ulp of a position below 4 m for each of 640 steps.
-        expect(largestError(run)).toBeLessThanOrEqual(640 * 4 * Number.EPSILON)
+        measured(name, 'located', [id, `${fps} fps`], largestError(run), {
+          atMost: 640 * 4 * Number.EPSILON,
+        })
         expect(Math.abs(run.outcome.time - time)).toBeLessThanOrEqual(640 * Number.EPSILON)
       }
-      expect(frameRateSpread({ ...base, integrator: id })).toBeLessThan(1e-12)
+      const spread = frameRateSpread({ ...base, integrator: id })
+      measured(name, 'spread', [id], spread, { atMost: 1e-12 })
     })
 
     it.each(firstOrder)('$id, located: rests, off by ½ a T Δt', ({ id }) => {
@@ -46,8 +51,10 @@ describe.each([hardCase('stops-on-the-flat'), hardCase('stops-uphill')])(
         expect(run.outcome.kind).toBe('at-rest')
         const off = Math.abs(last(run.s) - exact(base, 3).s)
         // Each whole step is off by ½ a Δt², the last by less: between one step less and one more.
-        expect(off).toBeLessThanOrEqual((0.5 * a * (time + 1 / fps)) / fps)
-        expect(off).toBeGreaterThanOrEqual((0.5 * a * (time - 1 / fps)) / fps)
+        measured(name, 'euler', [id, `${fps} fps`], off, {
+          atLeast: (0.5 * a * (time - 1 / fps)) / fps,
+          atMost: (0.5 * a * (time + 1 / fps)) / fps,
+        })
       }
     })
 
@@ -64,7 +71,8 @@ describe.each([hardCase('stops-on-the-flat'), hardCase('stops-uphill')])(
         expect(Math.abs(run.outcome.time - time)).toBeLessThanOrEqual(1 / fps)
         // A first-order method's own error, and the way of the last frame at less than a Δt.
         const dt = 1 / fps
-        expect(Math.abs(last(run.s) - exact(base, 3).s)).toBeLessThanOrEqual(a * dt * (time + dt))
+        const off = Math.abs(last(run.s) - exact(base, 3).s)
+        measured(name, 'clamped', [integrator, `${fps} fps`], off, { atMost: a * dt * (time + dt) })
       }
     })
 
@@ -78,13 +86,13 @@ describe.each([hardCase('stops-on-the-flat'), hardCase('stops-uphill')])(
       expect(run.outcome.kind).toBe('moving')
       // Where v = 0 lies between two signs, a step ends beyond it, by one step's gain at the most: for several
       // evaluations a step, by their sum's.
-      expect(run.v.subarray(-60).some((v) => v !== 0)).toBe(true)
+      measured(name, 'naive', [integrator], largest(run.v.subarray(-60)), { above: 0 })
     })
   },
 )
 
 describe('2 stops and comes back', () => {
-  const { experiments } = hardCase('comes-back')
+  const { id: name, experiments } = hardCase('comes-back')
   const base = experiments[0]!
 
   it.each(secondOrder)('$id, located: exact through the turn', ({ id }) => {
@@ -92,9 +100,12 @@ describe('2 stops and comes back', () => {
       const run = simulate({ ...base, integrator: id, frames: { kind: 'steady', fps } })
       expect(run.outcome.kind).toBe('moving')
       // Up to 3000 steps, an ulp of a position below 8 m each.
-      expect(largestError(run)).toBeLessThanOrEqual(3000 * 4 * Number.EPSILON)
+      measured(name, 'located', [id, `${fps} fps`], largestError(run), {
+        atMost: 3000 * 4 * Number.EPSILON,
+      })
     }
-    expect(frameRateSpread({ ...base, integrator: id })).toBeLessThan(1e-12)
+    const spread = frameRateSpread({ ...base, integrator: id })
+    measured(name, 'spread', [id], spread, { atMost: 1e-12 })
   })
 
   it.each(methods)(
@@ -109,29 +120,32 @@ describe('2 stops and comes back', () => {
       })
       const { s, v } = exact(base, 3)
       const off = Math.abs(last(run.s) - s)
-      expect(off).toBeGreaterThan(1e-6)
       // A frame late at the final speed, and the first-order error ½ a T Δt of either leg, a below 8.1 m/s².
-      expect(off).toBeLessThanOrEqual(dt * (Math.abs(v) + 0.5 * 8.1 * 3))
+      measured(name, 'clamped', [id], off, {
+        atLeast: 1e-6,
+        atMost: dt * (Math.abs(v) + 0.5 * 8.1 * 3),
+      })
     },
   )
 })
 
 describe('3 μk < tan α < μs', () => {
-  const { experiments } = hardCase('held-or-sliding')
+  const { id: name, experiments } = hardCase('held-or-sliding')
   const [still, down, up] = experiments as [Experiment, Experiment, Experiment]
 
   it.each(ids)('%s, located and clamped: held at rest, slides on once it slides', (integrator) => {
     for (const stopping of ['located', 'clamped'] as const) {
+      const rule = [integrator, stopping]
       const held = simulate({ ...still, integrator, stopping })
       expect(held.outcome).toEqual({ kind: 'at-rest', time: 0 })
-      expect(held.s.every((s) => s === 0)).toBe(true)
+      measured(name, 'held', rule, largest(held.s), { atMost: 0 })
       const sliding = simulate({ ...down, integrator, stopping })
       expect(sliding.outcome.kind).toBe('moving')
-      for (let row = 1; row <= sliding.frames; row++)
-        expect(sliding.v[row]!).toBeGreaterThan(sliding.v[row - 1]!)
+      const gains = sliding.v.subarray(1).map((v, row) => v - sliding.v[row]!)
+      measured(name, 'sliding', rule, Math.min(...gains), { above: 0 })
       const stopped = simulate({ ...up, integrator, stopping })
       expect(stopped.outcome.kind).toBe('at-rest')
-      expect(last(stopped.v)).toBe(0)
+      measured(name, 'stopped', rule, Math.abs(last(stopped.v)), { atMost: 0 })
       expect(last(stopped.s)).toBeLessThan(0)
     }
   })
@@ -139,12 +153,12 @@ describe('3 μk < tan α < μs', () => {
   it.each(ids)('%s, naive: even the block at rest slides off', (integrator) => {
     const run = simulate({ ...still, integrator, stopping: 'naive' })
     // g (sin α − μk cos α) for 3 s, or g sin α where friction is asked about at v = 0 only.
-    expect(last(run.s)).toBeGreaterThan(5)
+    measured(name, 'naive', [integrator], last(run.s), { above: 5 })
   })
 })
 
 describe('4 tan α = μs (1 ± 1e-12), for an hour', () => {
-  const { experiments } = hardCase('edge-of-holding')
+  const { id: name, experiments } = hardCase('edge-of-holding')
   const [held, freed] = experiments as [Experiment, Experiment]
 
   it.each(ids)('%s: just held is held to the bit', (integrator) => {
@@ -152,7 +166,7 @@ describe('4 tan α = μs (1 ± 1e-12), for an hour', () => {
       const run = simulate({ ...held, integrator, stopping })
       expect(run.outcome).toEqual({ kind: 'at-rest', time: 0 })
       expect(run.frames).toBe(216_000)
-      expect(run.s.every((s) => s === 0)).toBe(true)
+      measured(name, 'held', [integrator, stopping], largest(run.s), { atMost: 0 })
       expect(run.evaluations).toBe(1)
     }
   })
@@ -163,19 +177,18 @@ describe('4 tan α = μs (1 ± 1e-12), for an hour', () => {
     // g cos 30° times tan 30° less μ. Drive and press, both near 5 and 8.5 m/s², are rounded: by an ulp of 4 to 8 each, of
     // which an hour makes 1e-8 m or less.
     const a = 9.81 * Math.sqrt(0.75) * 0.5773502691896257 * 1e-12
-    expect(Math.abs(last(run.s) - 0.5 * a * 3600 * 3600)).toBeLessThan(
-      0.5 * 2 * 2 ** -50 * 3600 * 3600,
-    )
+    const off = Math.abs(last(run.s) - 0.5 * a * 3600 * 3600)
+    measured(name, 'freed', [id], off, { atMost: 0.5 * 2 * 2 ** -50 * 3600 * 3600 })
     // To the same rounded forces it is exact, but for ½ a T Δt of the first-order ones and 216 000 roundings.
     const own = order === 1 ? (0.5 * a * 3600) / 60 : 0
-    expect(Math.abs(last(run.s) - exact(freed, 3600).s)).toBeLessThanOrEqual(
-      1.001 * own + 216_000 * 2 ** -67,
-    )
+    measured(name, 'own', [id], Math.abs(last(run.s) - exact(freed, 3600).s), {
+      atMost: 1.001 * own + 216_000 * 2 ** -67,
+    })
   })
 })
 
 describe('5 μ = 1000, Δt = 1 s', () => {
-  const { experiments } = hardCase('like-glue')
+  const { id: name, experiments } = hardCase('like-glue')
   const base = { ...experiments[0]!, stopping: 'located' } as const
   const { a, time } = braking(base)
 
@@ -183,7 +196,7 @@ describe('5 μ = 1000, Δt = 1 s', () => {
     const run = simulate({ ...base, integrator: id })
     expect(run.outcome.kind).toBe('at-rest')
     // Some roundings of 1.4 mm and of half a millisecond.
-    expect(Math.abs(last(run.s) - exact(base, 10).s)).toBeLessThanOrEqual(1e-17)
+    measured(name, 'located', [id], Math.abs(last(run.s) - exact(base, 10).s), { atMost: 1e-17 })
     expect(Math.abs(run.outcome.time - time)).toBeLessThanOrEqual(1e-17)
     expect(Math.abs(last(energyResidual(run)))).toBeLessThan(1e-12)
   })
@@ -191,13 +204,18 @@ describe('5 μ = 1000, Δt = 1 s', () => {
   it.each(firstOrder)('$id, located: one step is off by ½ a t²', ({ id }) => {
     const run = simulate({ ...base, integrator: id })
     expect(run.outcome.kind).toBe('at-rest')
-    expect(Math.abs(last(run.s) - exact(base, 10).s)).toBeCloseTo(0.5 * a * time * time, 15)
+    const off = 0.5 * a * time * time
+    // And some roundings of 1.4 mm.
+    measured(name, 'euler', [id], Math.abs(last(run.s) - exact(base, 10).s), {
+      atLeast: off - 1e-17,
+      atMost: off + 1e-17,
+    })
   })
 
   it.each(ids)('%s, clamped: rests within the first frame’s way', (integrator) => {
     const run = simulate({ ...base, integrator, stopping: 'clamped' })
     expect(run.outcome).toEqual({ kind: 'at-rest', time: 1 })
-    expect(Math.abs(last(run.s))).toBeLessThanOrEqual(5)
+    measured(name, 'clamped', [integrator], Math.abs(last(run.s)), { atMost: 5 })
   })
 
   it.each(ids)('%s, naive: is thrown farther than it was kicked', (integrator) => {
@@ -205,7 +223,7 @@ describe('5 μ = 1000, Δt = 1 s', () => {
     expect(run.outcome.kind).toBe('moving')
     // One step of friction alone changes v by a Δt: 9200 m/s.
     expect(Math.max(...run.v.map(Math.abs))).toBeGreaterThan(5)
-    expect(Math.max(...run.s.map(Math.abs))).toBeGreaterThan(100)
+    measured(name, 'naive', [integrator], largest(run.s), { above: 100 })
     // A step that solves for its mean speed finds no friction that agrees with it, and says so.
     if (integrator === 'implicit-midpoint') expect(run.unsolved).toBeGreaterThan(0)
   })
@@ -218,14 +236,14 @@ describe('6 α = 90° and α = 0', () => {
   it.each(methods)('$id: a wall has no friction, and no heat', ({ id, order }) => {
     for (const stopping of ['located', 'clamped', 'naive'] as const) {
       const run = simulate({ ...wall, integrator: id, stopping })
-      expect(run.heat.every((heat) => heat === 0)).toBe(true)
+      measured('vertical-wall', 'heat', [id, stopping], largest(run.heat), { atMost: 0 })
     }
     const run = simulate({ ...wall, integrator: id })
     const fall = simulate({ ...ball, integrator: id })
     // The ball's frames are not cut at the top: Euler is off by ½ g Δt² less there. The rest is rounding, 120 steps.
     const cut = order === 1 ? (0.5 * 9.81) / 60 / 60 : 0
-    for (let row = 0; row <= run.frames; row++)
-      expect(Math.abs(run.s[row]! - fall.s[row]!)).toBeLessThanOrEqual(cut + 1e-13)
+    const apart = largest(run.s.map((s, row) => s - fall.s[row]!))
+    measured('vertical-wall', order === 1 ? 'euler' : 'fall', [id], apart, { atMost: cut + 1e-13 })
     // Downhill from the start nothing is cut, and the bits are the ball's.
     expect(simulate({ ...having(wall, { speed: 1 }), integrator: id }).s).toEqual(
       simulate({ ...having(ball, { speed: 1 }), integrator: id }).s,
@@ -236,9 +254,12 @@ describe('6 α = 90° and α = 0', () => {
     for (const stopping of ['located', 'clamped', 'naive'] as const) {
       expect(simulate({ ...still, integrator, stopping }).s.every((s) => s === 0)).toBe(true)
       const run = simulate({ ...sliding, integrator, stopping })
-      expect(run.v.every((v) => v === 3)).toBe(true)
+      const rule = [integrator, stopping]
+      measured('level-ramp', 'speed', rule, largest(run.v.map((v) => v - 3)), { atMost: 0 })
       // 600 roundings of a position up to 30 m.
-      expect(Math.abs(last(run.s) - 30)).toBeLessThanOrEqual(600 * 2 ** -48)
+      measured('level-ramp', 'place', rule, Math.abs(last(run.s) - 30), { atMost: 600 * 2 ** -48 })
     }
   })
 })
+
+published('friction')

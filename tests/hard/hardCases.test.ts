@@ -2,6 +2,8 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, expect, it } from 'vitest'
 import { hardCaseClaims, hardCases } from '../../src/measure/index.ts'
+import { holds } from '../../src/measure/hardCases/bound.ts'
+import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
 
 describe('the hard cases', () => {
@@ -13,11 +15,16 @@ describe('the hard cases', () => {
       expect(new Set(hardCases.map((each) => each[key])).size).toBe(hardCases.length)
   })
 
-  it.each(hardCases)('$id says what to watch and what holds, a sentence each', (each) => {
+  it.each(hardCases)('$id says what to watch, in a sentence, and what holds', (each) => {
     expect(each.id).toMatch(/^[a-z\d-]+$/)
-    for (const sentence of [each.watch, hardCaseClaims[each.id]])
-      expect(sentence).toMatch(/^\S[^]*[^.]\.$/)
+    expect(each.watch).toMatch(/^\S[^]*[^.]\.$/)
     expect(each.label.length).toBeLessThanOrEqual(50)
+    const claims = Object.values(hardCaseClaims[each.id]!)
+    expect(claims.length).toBeGreaterThan(0)
+    for (const { what, why } of claims) {
+      expect(what).toMatch(/^[A-Z][^]*[^.]$/)
+      expect(why).toMatch(/^[^A-Z][^]*[^.]$/)
+    }
   })
 
   it.each(hardCases)('$id can be run, or is refused if it says so', ({ experiments, refused }) => {
@@ -33,6 +40,14 @@ describe('the hard cases', () => {
 
   it('are all that something is claimed of', () => {
     expect(Object.keys(hardCaseClaims).sort()).toEqual(hardCases.map(({ id }) => id).sort())
+  })
+
+  it('have a result for every claim, within its bound', () => {
+    for (const { id } of hardCases) {
+      const results = hardCaseResults[id]!
+      expect(Object.keys(results).sort()).toEqual(Object.keys(hardCaseClaims[id]!).sort())
+      for (const { value, bound } of Object.values(results)) expect(holds(value, bound)).toBe(true)
+    }
   })
 
   it('are each tested by name', () => {

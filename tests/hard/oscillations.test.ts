@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { mechanicalEnergy, trajectoryErrors } from '../../src/measure/index.ts'
 import { exact, simulate, traceFrame } from '../../src/physics/index.ts'
 import type { Experiment, IntegratorId } from '../../src/physics/index.ts'
+import { measured, published } from './measured.ts'
 import { hardCase, largest, last, methods } from './support.ts'
 
 const STEP = 1 / 60
@@ -29,13 +30,13 @@ function band(energy: Float64Array, from: number, to?: number) {
 }
 
 describe('9 a half-pipe from 89°, for 10 000 s at 60 fps', () => {
-  const id = 'pipe-from-89-degrees'
+  const name = 'pipe-from-89-degrees'
   // ω of small swings is √(g/R) = 2.2/s.
   const omegaDt = Math.sqrt(9.81 / 2) * STEP
 
   // A symplectic method's energy is off by some (ωΔt)ᵖ of it, by as much after 10 000 s as after 100. Rounding walks by
   // some ulps times the root of 600 000 steps.
-  it.each(among(id, ['semi-implicit-euler', 'velocity-verlet', 'yoshida4', 'implicit-midpoint']))(
+  it.each(among(name, ['semi-implicit-euler', 'velocity-verlet', 'yoshida4', 'implicit-midpoint']))(
     '$id stays in its energy band',
     ({ id, experiment }) => {
       const run = simulate(experiment)
@@ -46,17 +47,14 @@ describe('9 a half-pipe from 89°, for 10 000 s at 60 fps', () => {
       const { order } = methods.find((method) => method.id === id)!
       const first = band(energy, 0, 6000)
       const whole = band(energy, 0)
-      for (const { low, high } of [first, whole]) {
-        expect(high).toBeLessThan(omegaDt ** order)
-        expect(low).toBeGreaterThan(-(omegaDt ** order))
-      }
-      const drift = 4 * Number.EPSILON * Math.sqrt(600_000) * 10
-      expect(whole.high - first.high).toBeLessThan(drift + 0.01 * (first.high - first.low))
-      expect(first.low - whole.low).toBeLessThan(drift + 0.01 * (first.high - first.low))
+      measured(name, id, [id], Math.max(whole.high, -whole.low), { atMost: omegaDt ** order })
+      const rounding = 4 * Number.EPSILON * Math.sqrt(600_000) * 10
+      const drift = Math.max(whole.high - first.high, first.low - whole.low)
+      measured(name, 'drift', [id], drift, { atMost: rounding + 0.01 * (first.high - first.low) })
     },
   )
 
-  it.each(among(id, ['rk4']))('$id loses energy, slowly and steadily', ({ experiment }) => {
+  it.each(among(name, ['rk4']))('$id loses energy, slowly and steadily', ({ experiment }) => {
     const run = simulate(experiment)
     expect(run.outcome.kind).toBe('moving')
     const energy = mechanicalEnergy(run)
@@ -64,8 +62,7 @@ describe('9 a half-pipe from 89°, for 10 000 s at 60 fps', () => {
     // On a harmonic swing (ωΔt)⁶/72 a step; these swings are wide and slower, which makes it less.
     const most = 600_000 * (omegaDt ** 6 / 72)
     const loss = -highest(594_000, 600_001)
-    expect(loss).toBeLessThan(most)
-    expect(loss).toBeGreaterThan(most / 10)
+    measured(name, 'rk4', ['rk4'], loss, { atLeast: most / 10, atMost: most })
     const half = -highest(294_000, 300_000)
     expect(half / loss).toBeGreaterThan(0.45)
     expect(half / loss).toBeLessThan(0.55)
@@ -76,10 +73,9 @@ describe('9 a half-pipe from 89°, for 10 000 s at 60 fps', () => {
     { id: 'explicit-euler' as const, from: 1, to: 5 },
     { id: 'midpoint' as const, from: 1000, to: 2000 },
   ])('$id is thrown out', (each) => {
-    const run = simulate(among(id, [each.id])[0]!.experiment)
+    const run = simulate(among(name, [each.id])[0]!.experiment)
     expect(run.outcome.kind).toBe('left-the-track')
-    expect(run.outcome.time).toBeGreaterThan(each.from)
-    expect(run.outcome.time).toBeLessThan(each.to)
+    measured(name, each.id, [each.id], run.outcome.time, { atLeast: each.from, atMost: each.to })
     expect(Math.abs(last(run.s))).toBe((Math.PI / 2) * 2)
     expect(last(mechanicalEnergy(run)) / mechanicalEnergy(run)[0]! - 1).toBeGreaterThan(0.0175)
   })
@@ -131,10 +127,10 @@ describe.each([
   { id: 'beyond-verlets-limit', z: 2.01 },
   { id: 'below-rk4s-limit', z: 2.82 },
   { id: 'beyond-rk4s-limit', z: 2.83 },
-])('10 the spring at ωΔt = $z', ({ id, z }) => {
+])('10 the spring at ωΔt = $z', ({ id: name, z }) => {
   const omega = z / STEP
 
-  it.each(runsOf(id))('$id: bounded, or diverged when the theory says so', (each) => {
+  it.each(runsOf(name))('$id: bounded, or diverged when the theory says so', (each) => {
     const run = simulate(each.experiment)
     const growth = growths[each.id]!(z)
     if (growth > 1 + 1e-9) {
@@ -143,68 +139,76 @@ describe.each([
       // some ten times at the start.
       const steps = Math.log(1000) / Math.log(growth)
       const give = Math.log(20) / Math.log(growth) + 1
-      expect(run.steps).toBeGreaterThan(steps - give)
-      expect(run.steps).toBeLessThan(steps + give)
+      measured(name, 'diverged', [each.id], run.steps, {
+        atLeast: Math.max(1, Math.ceil(steps - give)),
+        atMost: Math.floor(steps + give),
+      })
       expect(run.outcome.time).toBe(last(run.stateTime))
       expect(Math.abs(last(run.v))).toBeGreaterThan(1000 * omega)
       expect(largest(run.v.subarray(0, -1))).toBeLessThanOrEqual(1000 * omega)
     } else if (z === 2 && each.id === 'semi-implicit-euler') {
       // A double eigenvalue −1: two steps add 4 m, and 1000 m is reached in the end.
-      expect(run.s.subarray(1).every((s, row) => Math.abs(s) <= 2 * (row + 1) + 1)).toBe(true)
+      const shares = run.s.subarray(1).map((s, row) => s / (2 * (row + 1) + 1))
+      measured(name, 'linear', [each.id], largest(shares), { atMost: 1 })
       expect(run.outcome.kind).toBe('diverged')
     } else {
       expect(run.outcome.kind).toBe('moving')
       expect(run.frames).toBe(60_000)
-      // Semi-implicit Euler keeps an ellipse with half-axis 1/√(1 − z²/4); the others never exceed the start. Rounding
-      // grows evenly over 60 000 steps.
-      const bound = each.id === 'semi-implicit-euler' ? 1 / Math.sqrt(1 - (z * z) / 4) : 1
-      expect(largest(run.s)).toBeLessThanOrEqual(bound * (1 + 60_000 * 4 * Number.EPSILON))
-      if (each.id === 'semi-implicit-euler') expect(largest(run.s)).toBeGreaterThan(0.99 * bound)
+      // Rounding grows evenly over 60 000 steps.
+      const rounding = 1 + 60_000 * 4 * Number.EPSILON
+      // Semi-implicit Euler keeps an ellipse with half-axis 1/√(1 − z²/4); the others never exceed the start.
+      const axis = 1 / Math.sqrt(1 - (z * z) / 4)
+      const isEllipse = each.id === 'semi-implicit-euler'
+      measured(name, isEllipse ? 'ellipse' : 'bounded', [each.id], largest(run.s), {
+        ...(isEllipse && { atLeast: 0.99 * axis }),
+        atMost: (isEllipse ? axis : 1) * rounding,
+      })
       // rk4 damps: stable is not accurate.
       if (each.id === 'rk4') expect(Math.abs(last(run.s))).toBeLessThan(1e-300)
-      if (each.id === 'implicit-midpoint') expectEnergyKept(each.experiment)
+      if (each.id === 'implicit-midpoint') expectEnergyKept(name, each.experiment)
     }
   })
 })
 
 /** Implicit midpoint keeps a quadratic energy exactly; each step is solved to two roundings, at ωΔt times as much. */
-function expectEnergyKept(experiment: Experiment): void {
+function expectEnergyKept(name: string, experiment: Experiment): void {
   const run = simulate(experiment)
   expect(run.unsolved).toBe(0)
   const { low, high } = band(mechanicalEnergy(run), 0)
-  expect(high).toBeLessThan(run.steps * 8 * Number.EPSILON)
-  expect(low).toBeGreaterThan(-run.steps * 8 * Number.EPSILON)
+  measured(name, 'energy', [experiment.integrator!], Math.max(high, -low), {
+    atMost: run.steps * 8 * Number.EPSILON,
+  })
 }
 
 describe('11 a stiffness of 1e9: ωΔt = 527', () => {
-  const id = 'stiff-as-steel'
+  const name = 'stiff-as-steel'
 
-  it.each(among(id, ['implicit-midpoint']))(
+  it.each(among(name, ['implicit-midpoint']))(
     '$id keeps the energy to rounding',
-    ({ experiment }) => {
+    ({ id, experiment }) => {
       const run = simulate(experiment)
       expect(run.outcome.kind).toBe('moving')
       expect(run.frames).toBe(6000)
       expect(largest(run.s)).toBeLessThanOrEqual(1 + 6000 * 4 * Number.EPSILON)
-      expectEnergyKept(experiment)
+      expectEnergyKept(name, experiment)
       // One secant through two points solves a linear equation; a third look sees that it has.
-      expect(run.evaluations).toBeLessThanOrEqual(5 * run.steps)
+      measured(name, 'evaluations', [id], run.evaluations / run.steps, { atMost: 5 })
     },
   )
 
-  it.each(among(id, allBut(['implicit-midpoint'])))(
+  it.each(among(name, allBut(['implicit-midpoint'])))(
     '$id has diverged within three frames, and says so',
-    ({ experiment }) => {
+    ({ id, experiment }) => {
       const run = simulate(experiment)
       expect(run.outcome.kind).toBe('diverged')
-      expect(run.frames).toBeLessThanOrEqual(3)
+      measured(name, 'diverged', [id], run.frames, { atMost: 3 })
       expect(run.s.every(Number.isFinite)).toBe(true)
     },
   )
 })
 
 describe('12 twenty reversals in a frame', () => {
-  const id = 'many-reversals'
+  const name = 'many-reversals'
   const omega = Math.sqrt(4000)
   // By what a harmonic swing's frequency is off, in (ωΔt)ᵖ: from each step matrix's expansion. Yoshida's by (1 + 2∛2 +
   // ∛4 …)/… is below 0.07. The Eulers' frequency is right to second order, and their positions off by ½ v Δt.
@@ -216,12 +220,13 @@ describe('12 twenty reversals in a frame', () => {
     'implicit-midpoint': 1 / 12,
   }
 
-  it.each(among(id, allBut(['explicit-euler'])))('$id finds every one', ({ id, experiment }) => {
+  it.each(among(name, allBut(['explicit-euler'])))('$id finds every one', ({ id, experiment }) => {
     const stops = traceFrame(experiment, 1)
       .flatMap(({ stretches }) => stretches)
       .filter(({ jump }) => jump === 'stop')
     // Every half swing ends with one: √4000/π of them in the first second.
-    expect(stops).toHaveLength(Math.floor(omega / Math.PI))
+    const turns = Math.floor(omega / Math.PI)
+    measured(name, 'found', [id], stops.length, { atLeast: turns, atMost: turns })
     const run = simulate(experiment)
     const { order } = methods.find((method) => method.id === id)!
     // The swing's largest speed 0.1 m ω, and the phase after 4 s.
@@ -229,29 +234,35 @@ describe('12 twenty reversals in a frame', () => {
     const error = trajectoryErrors(run).largest
     const byPhase = (frequency[id] ?? 0) * (omega / 1000) ** order * omega * 4 * amplitude
     const byPlace = order === 1 ? 0.5 * (omega / 1000) * amplitude : 0
-    expect(error).toBeLessThanOrEqual(byPhase + byPlace)
-    expect(error).toBeGreaterThan((byPhase + byPlace) / 20)
+    measured(name, 'error', [id], error, {
+      atLeast: (byPhase + byPlace) / 20,
+      atMost: byPhase + byPlace,
+    })
   })
 
-  it.each(among(id, ['explicit-euler']))(
+  it.each(among(name, ['explicit-euler']))(
     '$id diverges: it gains (ωΔt)² a step',
-    ({ experiment }) => {
+    ({ id, experiment }) => {
       const run = simulate(experiment)
       expect(run.outcome.kind).toBe('diverged')
       // e^(½ ω² Δt t) reaches a thousand after 3.5 s.
-      expect(run.outcome.time).toBeGreaterThan(3)
+      measured(name, id, [id], run.outcome.time, { above: 3 })
     },
   )
 
   it.each(runsOf('many-reversals-in-a-step'))(
     '$id, all in one step: wrong, but it ends',
-    ({ experiment }) => {
+    ({ id, experiment }) => {
+      const name = 'many-reversals-in-a-step'
       const run = simulate(experiment)
       for (const column of [run.s, run.v, run.heat])
         expect(column.every(Number.isFinite)).toBe(true)
-      expect(Math.abs(last(run.s) - exact(experiment, last(run.stateTime)).s)).toBeGreaterThan(1e-3)
+      const off = Math.abs(last(run.s) - exact(experiment, last(run.stateTime)).s)
+      measured(name, 'wrong', [id], off, { above: 1e-3 })
       // A hundred jumps a step at the most, each found in a hundred tries at the most, of some evaluations.
-      expect(run.evaluations).toBeLessThan(run.steps * 100 * 100 * 4)
+      measured(name, 'ends', [id], run.evaluations / run.steps, { atMost: 100 * 100 * 4 })
     },
   )
 })
+
+published('oscillations')

@@ -43,10 +43,8 @@ const countWorkers = () => {
 
 /** A page that can have no workers. */
 const forbidWorkers = () => {
-  window.Worker = class {
-    constructor() {
-      throw new DOMException('No workers here.', 'SecurityError')
-    }
+  window.Worker = function () {
+    throw new DOMException('No workers here.', 'SecurityError')
   } as unknown as typeof Worker
 }
 

@@ -15,7 +15,7 @@ interface Focus {
 }
 
 const PARTS =
-  '.page-head, .scenes, .tools, .modes, .preset-note, slide-stage, .transport, .forces, .parameters, .runners, lab-plots, step-inspector, .reading'
+  '.page-head, .scenes, .tools, .modes, .preset-note, slide-stage, .transport, .forces, .parameters, .runners, lab-plots, lab-measures, step-inspector, .reading'
 
 const focus = (page: Page): Promise<Focus> =>
   page.evaluate((parts) => {
@@ -87,7 +87,7 @@ describe('Tab', () => {
       expect(stops.filter(({ isSeen }) => !isSeen).map(({ name }) => name)).toEqual([])
       expect(inOrder(stops)).toEqual([
         ...['page-head', 'scenes', 'tools', 'modes', 'slide-stage', 'transport', 'forces'],
-        ...['parameters', 'runners', 'lab-plots', 'step-inspector'],
+        ...['parameters', 'runners', 'lab-plots', 'lab-measures', 'step-inspector'],
       ])
       // All that can be used is among them: of radio buttons one, and nothing of what is folded away.
       const usable = await page.evaluate(

@@ -17,7 +17,7 @@ export const costKinds: readonly CostKind[] = [
   {
     id: 'evaluations',
     label: 'Evaluations',
-    axis: 'evaluations of the acceleration for a simulated second',
+    axis: 'evaluations for a simulated second',
     about: 'How often the forces are worked out: the same on every device.',
     text: (cost) => (cost >= 1 && cost < 1e6 ? count(Math.round(cost)) : plain(cost)),
     inWords: (cost) => `${plain(cost)} evaluations a second`,
@@ -25,7 +25,7 @@ export const costKinds: readonly CostKind[] = [
   {
     id: 'time',
     label: 'Time on this device',
-    axis: 'time for a simulated second, on this device',
+    axis: 'time for a simulated second',
     about:
       'Measured here and now, in a program that has used every method: a game that keeps to one takes less.',
     text: (cost) => seconds(cost * 1e-9),

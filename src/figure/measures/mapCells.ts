@@ -14,6 +14,8 @@ export interface Cell {
 /** A map as far as it is computed. */
 export class MapCells {
   readonly request: MapRequest
+  /** How often something was added: with it, all that is seen of a map changes. */
+  version = 0
   private readonly rows: (MapRow | undefined)[]
 
   constructor(request: MapRequest) {
@@ -23,6 +25,7 @@ export class MapCells {
 
   take(row: MapRow): void {
     this.rows[row.row] = row
+    this.version++
   }
 
   /** A cell, or as long as it is not computed the one that the first look has in its stead. */

@@ -38,7 +38,7 @@ const views = [
  * - `selected`: the index of the runner that is looked at closely
  * - `lab`: the lab
  */
-export class MeasureViews extends LitElement {
+class MeasureViews extends LitElement {
   static override properties = {
     simulated: { attribute: false },
     selected: { attribute: false },

@@ -28,6 +28,7 @@ export class Measuring implements ReactiveController {
   private task: Task | undefined
   private key = ''
   private timer: ReturnType<typeof setTimeout> | undefined
+  private frame: number | undefined
   private inSight = false
   private stopWatching = () => {}
 
@@ -98,6 +99,14 @@ export class Measuring implements ReactiveController {
     else if (!this.measurer.busy) this.later()
   }
 
+  /** Once a frame of the screen, however much is heard: what draws must not hold up what measures. */
+  private redraw(): void {
+    this.frame ??= requestAnimationFrame(() => {
+      this.frame = undefined
+      this.host.requestUpdate()
+    })
+  }
+
   private later(): void {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => this.begin(), PAUSE)
@@ -112,7 +121,7 @@ export class Measuring implements ReactiveController {
       this.problem = problem ?? ''
       if (!problem) this.take(task, parts, fresh)
       fresh = false
-      this.host.requestUpdate()
+      this.redraw()
     })
   }
 }

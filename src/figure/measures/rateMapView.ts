@@ -1,4 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
+import { guard } from 'lit/directives/guard.js'
 import { integrators, scenes, stoppings, timesteps } from '../../physics/index.ts'
 import type { Experiment, ResolvedExperiment, Scene } from '../../physics/index.ts'
 import { mappedExperiment, REFERENCE_RATE, stableRate } from '../../measure/index.ts'
@@ -60,6 +61,8 @@ export class RateMap extends LitElement {
   declare private width: number
   private methodKey = ''
   private cells: MapCells | undefined
+  /** What the image was painted from. */
+  private painted: unknown[] = []
   private readonly colours = new PaletteReader(this)
   private readonly sizes = new ResizeObserver(([entry]) => {
     this.width = Math.round(entry!.contentRect.width)
@@ -109,7 +112,11 @@ export class RateMap extends LitElement {
   override updated(): void {
     this.sizes.observe(this.querySelector('.area')!)
     const canvas = this.querySelector('canvas')
-    if (canvas && this.cells) paintMap(canvas, this.cells, this.colours.read(), this.isDark)
+    const palette = this.colours.read()
+    const wanted = [this.cells, this.cells?.version, palette]
+    if (!canvas || !this.cells || wanted.every((each, i) => each === this.painted[i])) return
+    this.painted = wanted
+    paintMap(canvas, this.cells, palette, this.isDark)
   }
 
   private get scene(): Scene {
@@ -162,14 +169,26 @@ export class RateMap extends LitElement {
         ></canvas>
         ${width > 0 ? mapDrawing(request, frame, this.here(), shown) : nothing}
       </div>
-      ${cells ? mapLegend(cells, this.isDark, this.limitWords(request)) : nothing}
+      ${
+        cells
+          ? guard([cells, cells.version, this.isDark], () =>
+              mapLegend(cells, this.isDark, this.limitWords(request)),
+            )
+          : nothing
+      }
       <p class="read-out">
         ${
           shown && cells
             ? html`<b>${placeText(request, shown.column, shown.row)}:</b> the run
                 ${cellWords(cells.cell(shown.column, shown.row), request)}.
                 <span class="soft">Click to see it in the lab.</span>`
-            : html`<span class="soft">${cells && measuring.done === 1 ? summary(cells) : ''}</span>`
+            : html`<span class="soft"
+                >${
+                  cells && measuring.done === 1
+                    ? guard([cells, cells.version], () => summary(cells))
+                    : ''
+                }</span
+              >`
         }
       </p>
       <output class="visually-hidden">${this.told}</output>

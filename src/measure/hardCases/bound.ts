@@ -16,11 +16,11 @@ export function holds(value: number, { atMost, atLeast, above }: Bound): boolean
   )
 }
 
-/** How near a figure that holds is to its bound: 1 where it could be no nearer, 0 where it could be no farther. */
+/** How near a figure of 0 or more that holds is to its bound: from 0 to 1, where it could be no nearer. */
 export function nearness(value: number, { atMost, atLeast, above }: Bound): number {
-  const below = atMost === undefined || value === 0 ? 0 : value / atMost
-  const over = [atLeast, above].map((least) => (least && value ? least / value : 0))
-  // Of two that are only to be larger than 0, the smaller one is nearer; it stays below the others.
-  const tie = above === 0 ? 1 / (1 + value) : 0
-  return Math.max(below, ...over, tie)
+  return Math.max(
+    atMost === undefined || value === 0 ? 0 : value / atMost,
+    atLeast === undefined ? 0 : atLeast / value,
+    above === undefined ? 0 : 1 / (1 + value - above),
+  )
 }

@@ -23,8 +23,9 @@ export function copyButton(listing: HTMLElement): void {
   listing.append(button)
 }
 
-/** What is too wide for its place can be reached by keyboard, to be scrolled there. */
+/** What is too wide for its place can be reached by keyboard, to be scrolled there, by a name that no other has. */
 export function reachable(boxes: readonly HTMLElement[]): void {
+  const names = new Map(boxes.map((box, i) => [box, `${box.dataset.label}, ${i + 1}`]))
   const observer = new ResizeObserver((entries) => {
     for (const { target } of entries) {
       const box = target as HTMLElement
@@ -32,7 +33,7 @@ export function reachable(boxes: readonly HTMLElement[]): void {
       for (const [name, value] of [
         ['tabindex', '0'],
         ['role', 'region'],
-        ['aria-label', box.dataset.label!],
+        ['aria-label', names.get(box)!],
       ] as const)
         if (isTooWide) box.setAttribute(name, value)
         else box.removeAttribute(name)

@@ -17,13 +17,13 @@ const rough: Claims = {
     what: 'Located stops, the two Euler methods: off at the end',
     why: '½ a Σ Δt², some centimetres at 60 fps already',
     unit: 'm',
-    failure: 'as every method of first order',
+    failure: 'stops in the wrong place',
   },
   paper: {
     what: 'The paper’s step: off at the end',
     why: 'it is of first order, and its stops are naive',
     unit: 'm',
-    failure: 'another place at other frames, and no rest',
+    failure: 'ends elsewhere, and never rests',
   },
 }
 

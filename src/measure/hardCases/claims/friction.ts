@@ -17,13 +17,13 @@ const stopping: Claims = {
     what: 'Located stops, the two Euler methods: off at the end',
     why: 'an exact stop at the end of an inexact path: ½ a T Δt, a step more or less',
     unit: 'm',
-    failure: 'as every method of first order',
+    failure: 'stops in the wrong place',
   },
   clamped: {
     what: 'Clamped stops: off at the end',
     why: 'the path of the last frame, and a first-order method’s own error',
     unit: 'm',
-    failure: 'rests, in the wrong place',
+    failure: 'stops in the wrong place',
   },
   naive: {
     what: 'Naive stops: largest speed in the last second',
@@ -54,7 +54,7 @@ export const frictionClaims: Readonly<Record<string, Claims>> = {
       what: 'Clamped stops at 30 fps: off at the end',
       why: 'a frame late at the final speed, and a first-order error on the way up and down',
       unit: 'm',
-      failure: 'turns up to a frame late',
+      failure: 'turns too late',
     },
   },
   'held-or-sliding': {
@@ -108,7 +108,7 @@ export const frictionClaims: Readonly<Record<string, Claims>> = {
       what: 'Located stops, the two Euler methods: off at the end',
       why: '½ a t² of the one step to the stop',
       unit: 'm',
-      failure: 'as every method of first order',
+      failure: 'stops in the wrong place',
     },
     clamped: {
       what: 'Clamped stops: distance at the end',
@@ -119,7 +119,7 @@ export const frictionClaims: Readonly<Record<string, Claims>> = {
       what: 'Naive stops: farthest distance',
       why: 'friction alone changes v by 9200 m/s in a step',
       unit: 'm',
-      failure: 'is thrown farther than it was kicked',
+      failure: 'is thrown away',
     },
   },
   'vertical-wall': {

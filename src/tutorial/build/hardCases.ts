@@ -1,0 +1,59 @@
+import { writeAddress } from '../../figure/address.ts'
+import { groups, presetsOf } from '../../figure/presets/hardCases.ts'
+import type { Preset } from '../../figure/presets/preset.ts'
+import { hardCaseClaims } from '../../measure/hardCases/claims.ts'
+import { hardCases } from '../../measure/hardCases/index.ts'
+import type { HardCase } from '../../measure/hardCases/index.ts'
+import { hardCaseResults } from '../../measure/hardCases/results.ts'
+import { placeOf } from './env.ts'
+import type { Env } from './env.ts'
+import { claimRow } from './hardCaseFigures.ts'
+import { attributes, escaped } from './html.ts'
+
+/** The hard cases: what to watch, every bound and what was measured, and links into the lab. A table for each kind. */
+export function hardCasesHtml({ book, ...env }: Env, line: number): string {
+  const tables = groups.map(([name, numbers]) => {
+    const cases = hardCases.filter(({ group }) => numbers.includes(group))
+    for (const { id } of cases) book.give(anchorOf(id), placeOf({ book, ...env }, line))
+    const label = attributes({ 'data-label': `Hard cases: ${name}` })
+    return `<h3>${escaped(name)}</h3>
+<div class="table"${label}><table>
+<thead><tr><th scope="col">What holds</th><th scope="col">Bound</th><th scope="col">Measured</th></tr></thead>
+${cases.map((each) => caseHtml(each, presetsOf(each, name))).join('\n')}
+</table></div>`
+  })
+  return `<div class="hard-cases">\n${tables.join('\n')}\n</div>\n`
+}
+
+const anchorOf = (id: string) => `hard-case-${id}`
+
+function caseHtml({ id, label, watch, group, experiments, refused }: HardCase, presets: Preset[]) {
+  // What a preset says beyond the case: that it is shown in part.
+  const remarks = new Set(presets.map((preset) => preset.watch.slice(watch.length)))
+  const links = presets.map((preset) => {
+    const part = preset.label.slice(label.length).replace(/^: /, '')
+    const address = refused ? refusedAddress(experiments) : writeAddress(preset.shown.state)
+    const values = { href: `#${address}`, 'data-lab': '' }
+    const name = { 'aria-label': `Open in the lab: ${preset.label}` }
+    return `<a${attributes({ ...values, ...name })}>${escaped(part || 'Open in the lab')}</a>`
+  })
+  const lead = links.length > 1 ? 'Open in the lab: ' : ''
+  const rows = Object.entries(hardCaseClaims[id]!).map(([claim, words]) =>
+    claimRow(words, hardCaseResults[id]![claim]!),
+  )
+  return `<tbody${attributes({ id: anchorOf(id), 'data-group': group })}>
+<tr><th colspan="3" scope="rowgroup"><a class="name" href="#${anchorOf(id)}">${escaped(label)}</a>
+<span class="watch">${escaped(watch + [...remarks].join(''))}</span>
+<span class="links">${lead}${links.join(' · ')}</span></th></tr>
+${rows.join('\n')}
+</tbody>`
+}
+
+/** The link of an experiment that can’t be run: the lab says why. */
+function refusedAddress([experiment]: HardCase['experiments']): string {
+  const { scene, parameters } = experiment!
+  return new URLSearchParams({
+    scene,
+    ...Object.fromEntries(Object.entries(parameters ?? {}).map(([key, x]) => [key, String(x)])),
+  }).toString()
+}
