@@ -10,7 +10,7 @@ export default defineConfig({
   build: {
     target: 'es2022',
     rolldownOptions: {
-      input: ['index.html', 'embed.html'],
+      input: ['index.html', 'embed.html', '404.html'],
     },
   },
   // In a frame that is sandboxed, as the embed code's is, a page has no origin, and what it loads comes from another.

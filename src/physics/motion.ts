@@ -122,16 +122,16 @@ export class Motion {
     return this.answer
   }
 
-  // #region accelerate
   private static accelerate(motion: Motion): void {
     const { contact, forces, askedV: v } = motion
     contact.s = motion.askedS
     contact.v = v
     forces(contact)
+    // #region accelerate
     const slip = motion.slipHeld ? motion.slip : v > 0 ? 1 : v < 0 ? -1 : 0
     motion.answer = contact.drive - slip * motion.muKinetic * contact.press
+    // #endregion
   }
-  // #endregion
 
   /**
    * Ends a step at `s` and `v`: what an integrator calls. Returns whether it goes on from there with another. A step of those

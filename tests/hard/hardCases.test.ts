@@ -1,8 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, expect, it } from 'vitest'
-import { hardCaseClaims, hardCases } from '../../src/measure/index.ts'
+import { hardCases } from '../../src/measure/index.ts'
 import { holds } from '../../src/measure/hardCases/bound.ts'
+import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
 

@@ -127,6 +127,7 @@ describe('speed against error', () => {
       'For no error but rounding, use Velocity Verlet at 5 steps a second.',
     )
     await lab.page.locator('speed-diagram summary').click()
+    await lab.page.locator('speed-diagram table').waitFor()
     const cells = lab.page.locator('speed-diagram td')
     expect(await cells.count()).toBe(sweepMethods.length * sweepRates.length)
     expect(await cells.nth(0).innerText()).toMatch(/^0\.\d\d\u2009m\s+\d+$/)
@@ -179,7 +180,9 @@ describe('speed against error', () => {
     const mark = lab.page.locator('speed-diagram [data-method=rk4] .mark').nth(5)
     const box = (await mark.boundingBox())!
     await lab.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
-    await expect.poll(lab.readOut).toMatch(/^Runge–Kutta 4 at 30 steps a second/)
+    await expect
+      .poll(lab.readOut, { timeout: 20_000 })
+      .toMatch(/^Runge–Kutta 4 at 30 steps a second/)
     await lab.page.mouse.down()
     await lab.page.mouse.up()
     await expect
@@ -330,6 +333,7 @@ describe('the frame-rate map', () => {
     await press(lab.page, 'Enter')
     await expect.poll(async () => (await lab.state()).parameters.stiffness).toBeGreaterThan(1000)
     await lab.page.locator('rate-map summary').click()
+    await lab.page.locator('rate-map table').waitFor()
     expect(await lab.page.locator('rate-map tbody tr').count()).toBe(6)
     expect(await lab.page.locator('rate-map tbody td').count()).toBe(48)
     expect(lab.problems).toEqual([])
@@ -346,11 +350,15 @@ describe('the frame-rate map', () => {
     await lab.page
       .getByRole('combobox', { name: 'Stopping rule of the map' })
       .selectOption('located')
-    await expect.poll(lab.readOut).toBe('Of all runs, 100\u202f% is exact to rounding.')
+    await expect
+      .poll(lab.readOut, { timeout: 20_000 })
+      .toBe('Of all runs, 100\u202f% is exact to rounding.')
     await lab.view('Spread against 60 fps')
-    await expect.poll(lab.readOut).toBe('Of all runs, 100\u202f% ends the same to rounding.')
+    await expect
+      .poll(lab.readOut, { timeout: 20_000 })
+      .toBe('Of all runs, 100\u202f% ends the same to rounding.')
     await lab.page.getByRole('combobox', { name: 'Timestep of the map' }).selectOption('fixed')
-    await expect.poll(lab.readOut).not.toContain('100')
+    await expect.poll(lab.readOut, { timeout: 20_000 }).not.toContain('100')
     expect(lab.problems).toEqual([])
   })
 })

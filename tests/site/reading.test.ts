@@ -32,7 +32,7 @@ describe('the text', () => {
     })
     expect({ dead, twice }).toEqual({ dead: [], twice: [] })
     expect(links).toBeGreaterThan(50)
-    expect(titles).toBe(11)
+    expect(titles).toBe(12)
     expect(problems).toEqual([])
   })
 

@@ -1,14 +1,9 @@
 import { parseExperiment, scenes } from '../../physics/index.ts'
 import type { Scene } from '../../physics/index.ts'
-import {
-  rateMap,
-  rowsOf,
-  spreadTable,
-  sweep,
-  sweepMethods,
-  TIMED_ROUNDS,
-  timedSweep,
-} from '../../measure/index.ts'
+// Not by the door of measure: the worker would carry the hard cases, which the page has already.
+import { rateMap, rowsOf } from '../../measure/rateMap.ts'
+import { spreadTable } from '../../measure/spreadTable.ts'
+import { sweep, sweepMethods, TIMED_ROUNDS, timedSweep } from '../../measure/sweep.ts'
 import type {
   Clock,
   MapRequest,

@@ -8,7 +8,7 @@ import type { Preset } from './preset.ts'
 import { durationOf, stateOf, together } from './stateOf.ts'
 
 /** What the numbers of the hard cases' groups are called in the menu. */
-const groups: readonly (readonly [string, readonly number[]])[] = [
+export const groups: readonly (readonly [string, readonly number[]])[] = [
   ['Stopping and staying', [1, 2, 3, 4, 5, 6]],
   ['Frames and clocks', [7, 8, 17]],
   ['Swings', [9, 10, 11, 12]],
@@ -23,7 +23,11 @@ export const hardPresets: readonly Preset[] = groups.flatMap(([name, numbers]) =
     .flatMap((hardCase) => presetsOf(hardCase, name)),
 )
 
-function presetsOf({ label, watch, experiments, refused }: HardCase, group: string): Preset[] {
+/** The presets of one case, in a group of the menu. */
+export function presetsOf(
+  { label, watch, experiments, refused }: HardCase,
+  group: string,
+): Preset[] {
   const parts = together(experiments)
   const names = parts.map(([first]) => distinction(first!, parts))
   const areNames = names.every((name, i) => name && names.indexOf(name) === i)

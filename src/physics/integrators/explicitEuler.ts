@@ -14,17 +14,17 @@ export const explicitEuler = {
   symplectic: false,
   evaluations: { least: 1, most: 1 },
   colour: 0,
-  // #region step
   step(motion: Motion): void {
     const { dt } = motion
     let { s, v } = motion
     do {
+      // #region step
       const a = motion.acceleration(s, v)
       s = s + v * dt
       v = v + a * dt
+      // #endregion
       motion.s = s
       motion.v = v
     } while (motion.goesOn())
   },
-  // #endregion
 } as const satisfies Integrator

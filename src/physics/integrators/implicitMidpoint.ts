@@ -18,7 +18,6 @@ export const implicitMidpoint = {
   symplectic: true,
   evaluations: { least: 1, most: MOST_ITERATIONS },
   colour: 6,
-  // #region step
   step(motion: Motion): void {
     const { dt } = motion
     const half = 0.5 * dt
@@ -49,5 +48,4 @@ export const implicitMidpoint = {
       motion.v = v
     } while (motion.goesOn())
   },
-  // #endregion
 } as const satisfies Integrator

@@ -13,7 +13,6 @@ export const midpoint = {
   symplectic: false,
   evaluations: { least: 2, most: 2 },
   colour: 3,
-  // #region step
   step(motion: Motion): void {
     const { dt } = motion
     let { s, v } = motion
@@ -26,5 +25,4 @@ export const midpoint = {
       motion.v = v
     } while (motion.goesOn())
   },
-  // #endregion
 } as const satisfies Integrator

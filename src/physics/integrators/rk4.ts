@@ -21,7 +21,6 @@ export const rk4 = {
   symplectic: false,
   evaluations: { least: 4, most: 4 },
   colour: 4,
-  // #region step
   step(motion: Motion): void {
     const { dt } = motion
     const half = 0.5 * dt
@@ -40,5 +39,4 @@ export const rk4 = {
       motion.v = v
     } while (motion.goesOn())
   },
-  // #endregion
 } as const satisfies Integrator

@@ -14,16 +14,16 @@ export const semiImplicitEuler = {
   symplectic: true,
   evaluations: { least: 1, most: 1 },
   colour: 1,
-  // #region step
   step(motion: Motion): void {
     const { dt } = motion
     let { s, v } = motion
     do {
+      // #region step
       v = v + motion.acceleration(s, v) * dt
       s = s + v * dt
+      // #endregion
       motion.s = s
       motion.v = v
     } while (motion.goesOn())
   },
-  // #endregion
 } as const satisfies Integrator

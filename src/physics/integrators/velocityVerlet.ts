@@ -19,7 +19,6 @@ export const velocityVerlet = {
   symplectic: true,
   evaluations: { least: 1, most: 2 },
   colour: 2,
-  // #region step
   step(motion: Motion): void {
     const { dt, reusable } = motion
     let { s, v } = motion
@@ -27,10 +26,12 @@ export const velocityVerlet = {
     let { a } = motion
     let before = a
     for (;;) {
+      // #region step
       before = a
       s = s + (v + 0.5 * before * dt) * dt
       a = motion.acceleration(s, v + before * dt)
       v = v + 0.5 * (before + a) * dt
+      // #endregion
       motion.s = s
       motion.v = v
       if (!motion.goesOn()) break
@@ -39,5 +40,4 @@ export const velocityVerlet = {
     }
     motion.a = motion.left > 0 ? before : a
   },
-  // #endregion
 } as const satisfies Integrator

@@ -20,7 +20,6 @@ export const yoshida4 = {
   symplectic: true,
   evaluations: { least: 3, most: 6 },
   colour: 5,
-  // #region step
   step(motion: Motion): void {
     const { dt, reusable } = motion
     let { s, v } = motion
@@ -44,5 +43,4 @@ export const yoshida4 = {
     }
     motion.a = motion.left > 0 ? first : a
   },
-  // #endregion
 } as const satisfies Integrator

@@ -31,9 +31,7 @@ export const fall = {
   facing: 1,
   law: ({ gravity, mass, drag }: FallParameters): Law => ({
     ...freely(mass),
-    // #region forces
     forces: [{ drive: gravity, perSquare: drag / mass, press: 0 }],
-    // #endregion
     dependsOnSpeed: drag > 0,
     // v|v| has a kink at v = 0.
     turnMatters: drag > 0,

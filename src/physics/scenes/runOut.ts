@@ -60,7 +60,6 @@ export const runOut = {
     const direction = new SinCos()
     return {
       ...rubbing(mass, muStatic, muKinetic),
-      // #region forces
       forces: [
         { drive: gravity * slope.sin, press: gravity * slope.cos },
         (block: Contact) => {
@@ -71,7 +70,6 @@ export const runOut = {
         },
         { drive: gravity * flat.sin, press: gravity * flat.cos },
       ],
-      // #endregion
       dependsOnSpeed: muKinetic > 0,
       turnMatters: true,
       joints: [bend.from, bend.to],

@@ -47,9 +47,7 @@ export const spring = {
     const law = rubbing(mass, muStatic, muKinetic)
     return {
       ...law,
-      // #region forces
       forces: [{ drive: gravity * sin, perMetre: perMass, press: gravity * cos }],
-      // #endregion
       // At least a million times the energy it can have.
       speedLimit: perMass > 0 ? 1000 * fastest(parameters) : law.speedLimit,
     }

@@ -12,7 +12,6 @@ export const naive = {
     'Friction points against the velocity and nothing else is done: around v = 0 it pushes to and fro for ever.',
   keepsOrder: false,
   holdsSlip: false,
-  // #region advance
   advance(motion: Motion, integrator: Integrator): void {
     motion.begin()
     integrator.step(motion)
@@ -20,5 +19,4 @@ export const naive = {
     settle(motion)
     stayOnTrack(motion)
   },
-  // #endregion
 } as const satisfies StoppingRule

@@ -24,7 +24,6 @@ export const capped = {
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,
-  // #region advance
   start: ({ cap }: Values<typeof options>) => {
     const lost = new ExactSum()
     return (run) => {
@@ -35,5 +34,4 @@ export const capped = {
       run.stateTime = run.time - run.lostTime
     }
   },
-  // #endregion
 } as const satisfies TimestepPolicy

@@ -16,7 +16,6 @@ export const substeps = {
   losesTime: false,
   steps: ({ step }: Values<typeof options>, duration: number, frames: number) =>
     duration / step + frames,
-  // #region advance
   start: ({ step }: Values<typeof options>) => {
     const lost = new ExactSum()
     return (run) => {
@@ -32,7 +31,6 @@ export const substeps = {
       run.stateTime = run.time - run.lostTime
     }
   },
-  // #endregion
 } as const satisfies TimestepPolicy
 
 function parts(frameDuration: number, step: number): number {

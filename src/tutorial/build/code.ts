@@ -29,7 +29,7 @@ function listing(html: string, label: string): string {
 /** A fenced block in a language. */
 export function codeHtml(env: Env, code: string, language: string, line: number): string {
   if (!(languages as readonly string[]).includes(language)) {
-    const known = [...languages, 'figure', 'source', 'take-home']
+    const known = [...languages, 'figure', 'source', 'take-home', 'hard-cases']
     env.book.report(
       placeOf(env, line),
       `“${language}” is no kind of block${instead(language, known)}`,

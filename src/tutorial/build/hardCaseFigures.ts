@@ -13,17 +13,22 @@ export function claimRow(claim: Claim, { run, runs, value, bound }: Result): str
   const measured = { title: digits(value, unit) }
   const given = { title: boundDigits(bound, unit) }
   const verdict = failure ? `<span class="failure">${escaped(failure)}: as documented</span>` : ''
-  const which = whichRun(run, runs, bound)
+  const which = what.includes(run) ? '' : whichRun(run, runs, bound)
   return `<tr><th scope="row">${escaped(what)} <span class="why">${escaped(why)}</span></th>
-<td${attributes(given)}>${boundText(claim, bound)}</td>
-<td${attributes(measured)}>${valueText(claim, value)} ${which && `<span class="run">${escaped(which)}</span>`}${verdict}</td></tr>`
+<td${attributes(given)}>${unbroken(boundText(claim, bound))} ${verdict}</td>
+<td${attributes(measured)}>${unbroken(valueText(claim, value))} ${which && `<span class="run">${escaped(which)}</span>`}</td></tr>`
+}
+
+/** A text as HTML whose numbers stay on a line with their units. */
+function unbroken(text: string): string {
+  return escaped(text).replace(/\S+(?:\u2009\S+)+/g, '<span class="figure">$&</span>')
 }
 
 /** Which run the figure is of, where there are several and not all have the same. */
 function whichRun(run: string, runs: number, { atMost, atLeast }: Bound): string {
   if (runs === 1) return run
-  if (atMost === 0 || atMost === atLeast) return `in all ${count(runs)} runs`
-  return `${run}: the nearest of ${count(runs)} runs`
+  const areAlike = atMost === 0 || (atMost !== undefined && atMost === atLeast)
+  return areAlike ? `all ${count(runs)} runs` : `${run}, of ${count(runs)} runs`
 }
 
 /** “0 (to rounding)”, “≤ 0.23 m”, “1 s to 5 s”, “exactly 50”. */

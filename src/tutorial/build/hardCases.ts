@@ -11,14 +11,16 @@ import { claimRow } from './hardCaseFigures.ts'
 import { attributes, escaped } from './html.ts'
 
 /** The hard cases: what to watch, every bound and what was measured, and links into the lab. A table for each kind. */
-export function hardCasesHtml({ book, ...env }: Env, line: number): string {
+export function hardCasesHtml(env: Env, line: number): string {
   const tables = groups.map(([name, numbers]) => {
     const cases = hardCases.filter(({ group }) => numbers.includes(group))
-    for (const { id } of cases) book.give(anchorOf(id), placeOf({ book, ...env }, line))
+    for (const { id } of cases) env.book.give(anchorOf(id), placeOf(env, line))
     const label = attributes({ 'data-label': `Hard cases: ${name}` })
-    return `<h3>${escaped(name)}</h3>
+    const id = `hard-cases-${name.toLowerCase().replaceAll(' ', '-')}`
+    env.book.give(id, placeOf(env, line))
+    return `<h3 id="${id}"><a href="#${id}">${escaped(name)}</a></h3>
 <div class="table"${label}><table>
-<thead><tr><th scope="col">What holds</th><th scope="col">Bound</th><th scope="col">Measured</th></tr></thead>
+<thead><tr><th scope="col">Quantity</th><th scope="col">Bound</th><th scope="col">Measured</th></tr></thead>
 ${cases.map((each) => caseHtml(each, presetsOf(each, name))).join('\n')}
 </table></div>`
   })
@@ -29,7 +31,9 @@ const anchorOf = (id: string) => `hard-case-${id}`
 
 function caseHtml({ id, label, watch, group, experiments, refused }: HardCase, presets: Preset[]) {
   // What a preset says beyond the case: that it is shown in part.
-  const remarks = new Set(presets.map((preset) => preset.watch.slice(watch.length)))
+  const remarks = new Set(
+    presets.map((preset) => preset.watch.slice(watch.length).replace('here.', 'in the lab.')),
+  )
   const links = presets.map((preset) => {
     const part = preset.label.slice(label.length).replace(/^: /, '')
     const address = refused ? refusedAddress(experiments) : writeAddress(preset.shown.state)

@@ -19,8 +19,8 @@ const diverged: Claim = {
 }
 const spring: Claims = { bounded, energy, diverged }
 
-const band = (power: string): Claim => ({
-  what: 'Largest change of the energy in 10 000 s',
+const band = (method: string, power: string): Claim => ({
+  what: `${method}: largest change of the energy in 10 000 s`,
   why: `a symplectic method’s energy is off by (ωΔt)${power} of itself, and no more with time`,
   unit: 'of the energy',
 })
@@ -28,40 +28,42 @@ const band = (power: string): Claim => ({
 /** What holds of the cases of swings. */
 export const oscillationsClaims: Readonly<Record<string, Claims>> = {
   'pipe-from-89-degrees': {
-    'semi-implicit-euler': band(''),
-    'velocity-verlet': band('²'),
-    'implicit-midpoint': band('²'),
-    yoshida4: band('⁴'),
+    'semi-implicit-euler': band('Semi-implicit Euler', ''),
+    'velocity-verlet': band('Velocity Verlet', '²'),
+    'implicit-midpoint': band('Implicit midpoint', '²'),
+    yoshida4: band('Yoshida 4', '⁴'),
     drift: {
-      what: 'These four: what the 9900 s after the first 100 s add to it',
+      what: 'These four: what all but the first 100 s add to that',
       why: 'a hundredth of it, and a random walk of 600 000 roundings',
       unit: 'of the energy',
     },
     rk4: {
-      what: 'Loss of energy in 10 000 s',
+      what: 'Runge–Kutta 4: loss of energy in 10 000 s',
       why: 'at most (ωΔt)⁶/72 a step, less on swings as wide as these, but a tenth at least',
       unit: 'of the energy',
     },
     'explicit-euler': {
-      what: 'Time until it leaves the pipe',
+      what: 'Explicit Euler: time until it leaves the pipe',
       why: 'it gains energy, and the lip is 1.75 % away: in one of the first swings',
       unit: 's',
       failure: 'leaves the pipe',
     },
     midpoint: {
-      what: 'Time until it leaves the pipe',
+      what: 'Midpoint: time until it leaves the pipe',
       why: 'it gains energy too, but as a method of second order',
       unit: 's',
       failure: 'leaves the pipe',
     },
   },
   'below-verlets-limit': {
-    ...spring,
+    bounded,
     ellipse: {
       what: 'Semi-implicit Euler: the same',
       why: 'it keeps an ellipse of half-axis 1/√(1 − (ωΔt/2)²), and comes near its end',
       unit: 'm',
     },
+    energy,
+    diverged,
   },
   'at-verlets-limit': {
     ...spring,
@@ -101,7 +103,7 @@ export const oscillationsClaims: Readonly<Record<string, Claims>> = {
       unit: 'm',
     },
     'explicit-euler': {
-      what: 'Time until it diverges',
+      what: 'Explicit Euler: time until it diverges',
       why: 'it gains (ωΔt)² a step',
       unit: 's',
       failure: 'diverges',
