@@ -38,7 +38,7 @@ const noPower = {
 }
 
 export default defineConfig(
-  globalIgnores(['dist/', 'test-results/']),
+  globalIgnores(['dist/', 'package/', 'test-results/']),
   tseslint.configs.strict,
   {
     linterOptions: { reportUnusedDisableDirectives: 'error' },

@@ -1,28 +1,7 @@
-import { StepInspector } from './inspector/stepInspector.ts'
-import { RecordFrames } from './recordFrames/recordFrames.ts'
-import { LabMeasures } from './measures/labMeasures.ts'
-import { FrameStrip } from './frameStrip.ts'
-import { LabPlot } from './plots/labPlot.ts'
-import { LabPlots } from './plots/labPlots.ts'
-import { QuantityControl } from './quantityControl.ts'
-import { RunnerMark } from './runnerMark.ts'
-import { RunnerRow } from './runnerRow.ts'
-import { ShareMenu } from './share/shareMenu.ts'
+import { defineParts } from './defineParts.ts'
 import { SlideLab } from './slideLab.ts'
-import { SlideStage } from './slideStage.ts'
 import { ThemeSwitch } from './themeSwitch.ts'
 
-/* Each element is defined after those that it is made of. */
-customElements.define('quantity-control', QuantityControl)
-customElements.define('frame-strip', FrameStrip)
-customElements.define('runner-mark', RunnerMark)
-customElements.define('runner-row', RunnerRow)
-customElements.define('slide-stage', SlideStage)
-customElements.define('lab-plot', LabPlot)
-customElements.define('lab-plots', LabPlots)
-customElements.define('lab-measures', LabMeasures)
-customElements.define('step-inspector', StepInspector)
-customElements.define('record-frames', RecordFrames)
-customElements.define('share-menu', ShareMenu)
+defineParts()
 customElements.define('slide-lab', SlideLab)
 customElements.define('theme-switch', ThemeSwitch)

@@ -6,7 +6,9 @@ const usesSpace = `${usesKeys}, button, a, summary`
 
 /** Does what a key asks of the transport, unless what has the focus uses that key itself. */
 export function shortcut(event: KeyboardEvent, playback: Playback): void {
-  const { key, shiftKey, target } = event
+  const { key, shiftKey } = event
+  // Seen from outside a shadow root, the target is its host.
+  const [target] = event.composedPath()
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return
   const acts: Readonly<Record<string, () => void>> = {
     ' ': () => playback.toggle(),

@@ -19,14 +19,21 @@ const PAUSE = 600
  * - `values`: of its controls, by name; empty until it is alive
  * - `set(values)`: changes some of them, numbers or the text of an address; one that is not alive yet comes alive first.
  *   Throws RangeError for a control or a value that there is not
+ * - `lit`: the arrow to set off from the others, `gravity`, `normal`, `friction`, `sum` or `velocity`; undefined for none
  * - `trajectories`: what it shows, as `simulate` returned them
  * - `playback`: its cursor on time
  * - event `change`, with the values as `detail`: after every change, by the reader or by `set`
  */
 export class SlideFigure extends LitElement {
-  static override properties = { name: {}, view: { state: true }, spoken: { state: true } }
+  static override properties = {
+    name: {},
+    lit: { attribute: false },
+    view: { state: true },
+    spoken: { state: true },
+  }
 
   declare name: string
+  declare lit: string | undefined
   /** What is shown; undefined until it is alive. */
   declare view: { readonly values: Values; readonly runs: readonly Trajectory[] } | undefined
   /** The outcome as it was when all last came to rest. */
@@ -89,7 +96,7 @@ export class SlideFigure extends LitElement {
     clearTimeout(this.timer)
   }
 
-  override createRenderRoot(): this {
+  override createRenderRoot(): HTMLElement {
     return this
   }
 
@@ -98,8 +105,8 @@ export class SlideFigure extends LitElement {
   }
 
   override render() {
-    const { live, figure, view, playback, spoken, guest } = this
-    return live!.face({ figure: figure!, ...view!, playback, spoken, guest, set: this.set })
+    const { live, figure, view, playback, spoken, guest, lit } = this
+    return live!.face({ figure: figure!, ...view!, playback, spoken, guest, lit, set: this.set })
   }
 
   private wake(): Promise<void> {
@@ -110,7 +117,7 @@ export class SlideFigure extends LitElement {
     }))
   }
 
-  private async comeAlive(): Promise<void> {
+  protected async comeAlive(): Promise<void> {
     const entry = figures.find(({ id }) => id === this.name)
     if (!entry) throw new RangeError(`There is no figure “${this.name}”.`)
     const [{ live }, figure] = await Promise.all([import('./slideFigure/live.ts'), entry.load()])

@@ -1,4 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
+import type { PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import { AddressLink } from './addressLink.ts'
@@ -111,7 +112,7 @@ export class SlideLab extends LitElement implements LabView {
     if (this.hasAttribute('linked')) this.address ??= new AddressLink(this)
   }
 
-  override createRenderRoot(): this {
+  override createRenderRoot(): HTMLElement {
     // The still that stood for it.
     this.replaceChildren()
     return this
@@ -172,7 +173,7 @@ export class SlideLab extends LitElement implements LabView {
     this.linkProblem = problem
   }
 
-  override updated(): void {
+  override updated(_changed: PropertyValues): void {
     this.tellLater()
   }
 

@@ -3,6 +3,7 @@ import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
 import { followLinks } from './page/links.ts'
 import { lightOnPaper } from './page/print.ts'
+import { shine } from './page/shine.ts'
 import { tabs } from './page/tabs.ts'
 
 /* The text is there without any of this. */
@@ -12,7 +13,10 @@ const all = (selector: string) => [
 ]
 
 for (const contents of all('.contents')) followReader(contents)
-for (const text of all('.text')) followLinks(text)
+for (const text of all('.text')) {
+  followLinks(text)
+  shine(text)
+}
 all('.dial').forEach(dial)
 all('.code').forEach(copyButton)
 all('.take-home').forEach(tabs)

@@ -114,14 +114,18 @@ export interface NamedArrow {
   readonly dashed?: true
 }
 
-/** Draws arrows that are long enough to be seen, and writes at their tips. */
+/** Draws arrows that are long enough to be seen, and writes at their tips. With one of them `lit`, the others are faint. */
 export function drawNamedArrows(
   context: CanvasRenderingContext2D,
   arrows: readonly NamedArrow[],
   palette: Palette,
+  lit?: string,
 ): void {
   const seen = arrows.filter(({ from, to }) => Math.hypot(to.x - from.x, to.y - from.y) > 2)
+  const isLit = seen.some(({ id }) => id === lit)
+  const strength = (id: ArrowId) => (isLit && id !== lit ? 0.2 : 1)
   for (const { id, from, to, dashed } of seen) {
+    context.globalAlpha = strength(id)
     const colour = palette.arrows[id]
     const width = id === 'sum' ? 4 : 2.75
     drawArrow(context, from, to, { colour: palette.sheet, width: width + 3, head: 0 })
@@ -134,9 +138,11 @@ export function drawNamedArrows(
     const length = Math.hypot(to.x - from.x, to.y - from.y)
     const [x, y] = [(to.x - from.x) / length, (to.y - from.y) / length]
     const align = x > 0.35 ? 'left' : x < -0.35 ? 'right' : 'center'
+    context.globalAlpha = strength(id)
     context.fillStyle = palette.arrows[id]
     // Friction's tip is on the edge of the ground, where letters can't be read.
     const down = id === 'friction' ? 12 : 0
     write(context, tag, to.x + 9 * x, to.y + 14 * y + 5 + down, { align, halo: palette.sheet })
   }
+  context.globalAlpha = 1
 }

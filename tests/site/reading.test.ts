@@ -255,3 +255,27 @@ describe('code', () => {
     expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('C# (Unity)')
   })
 })
+
+test('pointing at a line of code lights the arrow that it computes', async () => {
+  const { page, problems } = await openPage({ width: 1280 })
+  await alive(page, 'forces-on-slope')
+  const figure = page.locator('#figure-forces-on-slope slide-figure')
+  const lit = () => figure.evaluate((element) => (element as HTMLElement & { lit?: string }).lit)
+  const pictures = new Set<string>()
+  const isNew = async () => {
+    const picture = await figure
+      .locator('canvas')
+      .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL())
+    return !pictures.has(picture) && pictures.add(picture).size > 0
+  }
+  await page.locator('#forces-on-a-slope .code .line:has(.friction)').first().hover()
+  expect(await lit()).toBe('friction')
+  await expect.poll(isNew).toBe(true)
+  await page.locator('#forces-on-a-slope p .gravity').first().hover()
+  expect(await lit()).toBe('gravity')
+  await expect.poll(isNew).toBe(true)
+  await page.locator('.page-foot').hover()
+  expect(await lit()).toBe(undefined)
+  await expect.poll(isNew).toBe(true)
+  expect(problems).toEqual([])
+})

@@ -113,7 +113,7 @@ function forcesIn({ experiment, s, v }: Trajectory) {
   return forcesOn(experiment, { s: s[0]!, v: v[0]! })
 }
 
-function draw(surface: Surface, { values, runs }: View<TiltValues>): void {
+function draw(surface: Surface, { values, runs, lit }: View<TiltValues>): void {
   const { context, width, height, palette } = surface
   drawTilted(surface, values.angle)
   const { slope, size } = tiltedSlope(surface, values.angle)
@@ -142,5 +142,6 @@ function draw(surface: Surface, { values, runs }: View<TiltValues>): void {
       arrowFor('friction', 'F', base, friction, scale),
     ],
     palette,
+    lit,
   )
 }

@@ -19,6 +19,8 @@ export interface View<V = Values> {
   readonly runs: readonly Trajectory[]
   /** The instant shown [s]: 0 in a figure that does not play. */
   readonly time: number
+  /** The arrow that the reader points at in the text, by what it is: `gravity`, `normal`, `friction`, … */
+  readonly lit?: string | undefined
 }
 
 /** A place in a picture by which a control can be dragged. */

@@ -106,7 +106,7 @@ function forcesIn({ experiment, s, v }: Trajectory): ForceVectors {
   return forcesOn(experiment, { s: s[0]!, v: v[0]! })
 }
 
-function draw(surface: Surface, { values, runs }: View<SlopeValues>): void {
+function draw(surface: Surface, { values, runs, lit }: View<SlopeValues>): void {
   const { context, width, height, palette } = surface
   drawTilted(surface, values.angle)
   const { slope, size } = tiltedSlope(surface, values.angle)
@@ -130,5 +130,5 @@ function draw(surface: Surface, { values, runs }: View<SlopeValues>): void {
     const from = moved(middle, slope.out, side / 2 + 16)
     arrows.push(arrowFor('velocity', 'v', from, way, 26))
   }
-  drawNamedArrows(context, arrows, palette)
+  drawNamedArrows(context, arrows, palette, lit)
 }

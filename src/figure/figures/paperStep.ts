@@ -129,7 +129,7 @@ function draw(surface: Surface, { values, runs, time }: View<PaperValues>): void
   context.fillStyle = text
   const isSeen = block.x > 0 && block.x < width && block.y > 0 && block.y < height
   const words = isSeen ? 'the paper’s step' : 'the paper’s step has left the picture'
-  write(context, words, 16, height - 14, { halo: palette.ground })
+  write(context, words, 16, 26, { halo: palette.sheet })
 }
 
 /** A point of the plane on the exact block's way. */

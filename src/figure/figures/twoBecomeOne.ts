@@ -62,7 +62,7 @@ function forcesIn({ experiment, s, v }: Trajectory) {
   return forcesOn(experiment, { s: s[0]!, v: v[0]! })
 }
 
-function draw(surface: Surface, { values, runs }: View<PartsValues>): void {
+function draw(surface: Surface, { values, runs, lit }: View<PartsValues>): void {
   const { context, width, height, palette } = surface
   drawTilted(surface, values.angle)
   const { slope, size } = tiltedSlope(surface, values.angle)
@@ -88,6 +88,7 @@ function draw(surface: Surface, { values, runs }: View<PartsValues>): void {
       context,
       [drive, rub, arrowFor('sum', 'ΣF', moved(middle, slope.out, 0.3 * size), sum, scale)],
       palette,
+      lit,
     )
   const whole = arrowFor('gravity', 'G', middle, gravity, scale)
   const parts =
@@ -104,5 +105,6 @@ function draw(surface: Surface, { values, runs }: View<PartsValues>): void {
     context,
     [...parts, whole, arrowFor('normal', 'N', middle, normal, scale), rub],
     palette,
+    lit,
   )
 }

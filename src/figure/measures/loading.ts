@@ -6,6 +6,8 @@ import { checked } from '../check.ts'
 import type { LabView } from '../labView.ts'
 import { openingOf } from '../opening.ts'
 import { preset } from '../presets/preset.ts'
+import { linkTo } from '../share/texts.ts'
+import { isAtHome, site } from '../site.ts'
 import type { LabState } from '../state.ts'
 
 /** A run that was measured, and what was measured of it, in words. */
@@ -39,10 +41,12 @@ export function loadMethod(
   lab.load(preset('', label, words, () => checked({ ...shown, runners })))
 }
 
-/** Has the page's own lab show it, by way of the address. */
+/** Has the page's own lab show it, by way of the address; in another's page, the lab in a page of its own. */
 export function loadByAddress({ experiment }: Measured): void {
   const { scene, parameters, duration, ...own } = parseExperiment(experiment)
   const start = openingOf(scene)
   const runners = [{ ...start.runners[0]!, ...own }]
-  location.hash = writeAddress({ ...start, parameters, duration, runners })
+  const state = { ...start, parameters, duration, runners }
+  if (isAtHome()) location.hash = writeAddress(state)
+  else open(linkTo('index.html', site(), state), '_blank', 'noopener')
 }

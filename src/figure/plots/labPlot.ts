@@ -157,7 +157,7 @@ export class LabPlot extends LitElement {
 
   override updated(changed: Map<PropertyKey, unknown>): void {
     this.draw()
-    if (changed.has('time') && this.contains(document.activeElement)) this.tell()
+    if (changed.has('time') && this.matches(':focus-within')) this.tell()
   }
 
   /** Every digit, for the one who points at a value: to write all of them at every frame would cost too much. */

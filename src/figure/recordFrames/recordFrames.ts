@@ -51,7 +51,7 @@ export class RecordFrames extends LitElement {
   }
 
   override willUpdate(): void {
-    this.hadFocus = this.contains(document.activeElement)
+    this.hadFocus = this.matches(':focus-within')
   }
 
   override updated(): void {

@@ -1,11 +1,12 @@
 import { html } from 'lit'
 import type { LabState } from '../state.ts'
+import { site } from '../site.ts'
 import { linkTo } from './texts.ts'
 
 /** The way from a figure in somebody's page to the whole lab. */
 export function openInLab(state: LabState) {
   return html`<p class="open-in-lab">
-    <a href=${linkTo('index.html', location.href, state)} target="_blank" rel="noopener"
+    <a href=${linkTo('index.html', site(), state)} target="_blank" rel="noopener"
       >Open in the lab</a
     >
   </p>`

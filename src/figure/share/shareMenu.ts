@@ -2,6 +2,7 @@ import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../freshId.ts'
 import type { LabView } from '../labView.ts'
 import { toCsv } from './csv.ts'
+import { site } from '../site.ts'
 import { pictureOf, save } from './save.ts'
 import { embedCode, fileName, linkTo, toJson } from './texts.ts'
 
@@ -99,8 +100,8 @@ export class ShareMenu extends LitElement {
     document.removeEventListener('pointerdown', this.elsewhere)
   }
 
-  private readonly elsewhere = ({ target }: Event): void => {
-    if (!this.contains(target as Node)) this.close()
+  private readonly elsewhere = (event: Event): void => {
+    if (!event.composedPath().includes(this)) this.close()
   }
 
   private async copy(text: string): Promise<void> {
@@ -118,7 +119,7 @@ export class ShareMenu extends LitElement {
   }
 
   private readonly savePicture = async (): Promise<void> => {
-    const canvas = this.closest('slide-lab')!.querySelector<HTMLCanvasElement>('slide-stage canvas')
+    const canvas = this.closest('.sheet')!.querySelector<HTMLCanvasElement>('slide-stage canvas')
     try {
       this.saved(await pictureOf(canvas!), 'png')
     } catch (error) {
@@ -137,9 +138,4 @@ export class ShareMenu extends LitElement {
     this.byHand = ''
     this.status = `Saved as ${name}`
   }
-}
-
-/** Where this page is, without what its address says of the lab. */
-function site(): string {
-  return location.href.replace(/#.*/s, '')
 }

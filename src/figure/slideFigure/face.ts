@@ -17,6 +17,7 @@ export interface Face {
   readonly spoken: string
   /** What takes the place of the pictures. */
   readonly guest: HTMLElement | undefined
+  readonly lit: string | undefined
   readonly set: (values: Readonly<Record<string, unknown>>) => void
 }
 
@@ -40,8 +41,8 @@ function withHeading({ title }: Figure, guest: HTMLElement) {
     ${guest}`
 }
 
-function pictures({ figure, values, runs, playback, set }: Face) {
-  const view = (time: number): View => ({ values, runs, time })
+function pictures({ figure, values, runs, playback, lit, set }: Face) {
+  const view = (time: number): View => ({ values, runs, time, lit })
   return figure.panels.map(
     (panel, i) =>
       html`<figure-picture
@@ -49,6 +50,7 @@ function pictures({ figure, values, runs, playback, set }: Face) {
         .controls=${figure.controls}
         .view=${view}
         .values=${values}
+        .shining=${lit}
         .playback=${playback}
         .set=${set}
         .description=${i === 0 ? figure.pictured : ''}

@@ -14,6 +14,7 @@ import { stepped } from './stepped.ts'
  *
  * - `panel`: what draws it
  * - `view`: what it shows at an instant; `values`: of the controls, a new object whenever it shows something else
+ * - `shining`: the arrow of the view that is lit
  * - `controls`, `set`: what grips change
  * - `playback`: the instant
  * - `description`: what there is to see, in words
@@ -23,6 +24,7 @@ export class FigurePicture extends LitElement {
     panel: { attribute: false },
     values: { attribute: false },
     description: { attribute: false },
+    shining: { attribute: false },
     held: { state: true },
     lit: { state: true },
   }
@@ -30,6 +32,8 @@ export class FigurePicture extends LitElement {
   declare panel: Panel
   declare values: Values
   declare description: string
+  /** Of the view: it is drawn anew when this changes. */
+  declare shining: string | undefined
   declare controls: Controls
   declare playback: Playback
   declare view: (time: number) => View

@@ -14,14 +14,17 @@ export function claimRow(claim: Claim, { run, runs, value, bound }: Result): str
   const given = { title: boundDigits(bound, unit) }
   const verdict = failure ? `<span class="failure">${escaped(failure)}: as documented</span>` : ''
   const which = what.includes(run) ? '' : whichRun(run, runs, bound)
-  return `<tr><th scope="row">${escaped(what)} <span class="why">${escaped(why)}</span></th>
+  return `<tr><th scope="row">${unbroken(what)} <span class="why">${unbroken(why)}</span></th>
 <td${attributes(given)}>${unbroken(boundText(claim, bound))} ${verdict}</td>
 <td${attributes(measured)}>${unbroken(valueText(claim, value))} ${which && `<span class="run">${escaped(which)}</span>`}</td></tr>`
 }
 
-/** A text as HTML whose numbers stay on a line with their units. */
+/** A text as HTML whose numbers stay on one line, with their units. */
 function unbroken(text: string): string {
-  return escaped(text).replace(/\S+(?:\u2009\S+)+/g, '<span class="figure">$&</span>')
+  return escaped(text).replace(
+    /\S+(?:\u2009\S+)+|\d+(?: \d{3})+/g,
+    '<span class="together">$&</span>',
+  )
 }
 
 /** Which run the figure is of, where there are several and not all have the same. */

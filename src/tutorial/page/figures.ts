@@ -1,6 +1,8 @@
 /** As much of `<slide-figure>` as the text around it uses: see src/figure/slideFigure.ts. */
 export interface LiveFigure extends HTMLElement {
   readonly values: Readonly<Record<string, unknown>>
+  /** The arrow that is set off from the others. */
+  lit: string | undefined
   set(values: Readonly<Record<string, unknown>>): void
 }
 

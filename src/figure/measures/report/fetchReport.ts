@@ -1,3 +1,4 @@
+import { site } from '../../site.ts'
 import type { Report } from '../../../report/schema.ts'
 
 /**
@@ -8,7 +9,7 @@ import type { Report } from '../../../report/schema.ts'
 export async function fetchReport(): Promise<Report> {
   let answer: Response
   try {
-    answer = await fetch(new URL('report/report.json', document.baseURI))
+    answer = await fetch(new URL('report/report.json', site()))
   } catch {
     throw new Error(
       'The report can’t be reached: there is no network, or the page was opened from a file.',
