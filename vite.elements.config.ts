@@ -22,7 +22,7 @@ export default defineConfig({
 })
 
 /** A worker is a file of its own, and other people's pages may not start one: measuring takes the page's own time. */
-function withoutWorker(): Plugin {
+export function withoutWorker(): Plugin {
   const worker = "new Worker(new URL('./measureWorker.ts', import.meta.url), { type: 'module' })"
   return {
     name: 'without-worker',

@@ -1,20 +1,22 @@
 import { defineConfig } from 'vite'
+import { withoutWorker } from './vite.elements.config.ts'
 
 /** The modules of the npm package: the physics, which needs nothing, and the elements, which need Lit and uPlot. */
 export default defineConfig({
   base: './',
   publicDir: false,
+  plugins: [withoutWorker()],
   build: {
     target: 'es2022',
     outDir: 'package',
     minify: false,
-    modulePreload: false,
+    lib: {
+      entry: { physics: 'src/physics/index.ts', elements: 'src/elements.ts' },
+      formats: ['es'],
+    },
     rolldownOptions: {
-      input: { physics: 'src/physics/index.ts', elements: 'src/elements.ts' },
-      preserveEntrySignatures: 'strict',
       external: /^(lit|uplot)(\/|$)/,
-      output: { entryFileNames: '[name].js', chunkFileNames: 'chunks/[name]-[hash].js' },
+      output: { chunkFileNames: 'chunks/[name]-[hash].js' },
     },
   },
-  worker: { format: 'es' },
 })

@@ -31,6 +31,8 @@ export class SlideFigureElement extends SlideFigure {
     const text = Object.assign(document.createElement('p'), { textContent: message, role: 'alert' })
     text.style.padding = '1rem'
     this.renderRoot.replaceChildren(text)
+    // It needs no room for more.
+    ;(this.renderRoot as HTMLElement).toggleAttribute('live', true)
     this.dispatchEvent(new CustomEvent('error', { detail: { message } }))
   }
 }

@@ -90,7 +90,7 @@ export class SlideLabElement extends SlideLab {
     return html`${
       problems.length > 0
         ? html`<div class="link-problems" role="alert">
-            <p>The page asks this lab for something that can’t be run, so it shows something else.</p>
+            <p>The page asks this lab for something that can’t be run, so it stays as it was.</p>
             <ul>
               ${lines.map((line) => html`<li>${line}</li>`)}
             </ul>

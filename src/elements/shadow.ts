@@ -1,9 +1,11 @@
 import css from '../styles/elements.css?inline'
 
-/** What the page around an element says of its text ends here; the element has a line, and a page, of its own. */
+/** What the page says of its own text ends at the root; a caption is the page's. */
 const host = `
-:host { all: initial; display: block; color: var(--ink); text-align: start }
+:host { display: block }
 :host([hidden]) { display: none }
+slide-lab-root, slide-figure-root { all: initial; display: block; color-scheme: inherit; color: var(--ink) }
+slot { display: block; color-scheme: normal }
 `
 
 let sheet: CSSStyleSheet | undefined

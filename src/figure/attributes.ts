@@ -15,14 +15,9 @@ import type { LabState } from './state.ts'
  * - `timestep`: the id of a policy, which is then at its initial options; or as in an experiment
  */
 export type Asked = {
-  readonly [name in
-    | 'experiment'
-    | 'scene'
-    | 'fps'
-    | 'integrator'
-    | 'stopping'
-    | 'timestep'
-    | 'duration']?: unknown
+  readonly [
+    name in 'experiment' | 'scene' | 'fps' | 'integrator' | 'stopping' | 'timestep' | 'duration'
+  ]?: unknown
 }
 
 type Loose = Readonly<Record<string, unknown>>

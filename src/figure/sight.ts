@@ -2,7 +2,8 @@ type Seen = (isSeen: boolean) => void
 
 /** One observer for everything on the page that asks the same. */
 class Sight {
-  private readonly listeners = new Map<Element, Set<Seen>>()
+  // Weak, since an element may watch itself for as long as it lives.
+  private readonly listeners = new WeakMap<Element, Set<Seen>>()
   private readonly observer: IntersectionObserver
 
   constructor(rootMargin: string) {

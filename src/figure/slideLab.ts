@@ -227,11 +227,7 @@ export class SlideLab extends LitElement implements LabView {
         .selected=${this.selected}
         .seek=${(time: number) => playback.seek(time)}
       ></lab-plots>
-      <lab-measures
-        .simulated=${simulated}
-        .selected=${this.selected}
-        .lab=${this}
-      ></lab-measures>
+      <lab-measures .simulated=${simulated} .selected=${this.selected} .lab=${this}></lab-measures>
       ${stepInspector(this)}`
   }
 }

@@ -1,6 +1,7 @@
 import { apart } from './apart.ts'
 import { Contact, feltOn } from './law.ts'
 import type { Forces, Law } from './law.ts'
+import type { MotionLog } from './motionLog.ts'
 
 // What starts 1e9 m away and falls at 1e6 m/s² for 1e6 s does not get near it [m].
 export const FAR = 1e24
@@ -24,8 +25,10 @@ export class Motion {
   dt = NaN
   /** How many such steps are left to take in a row; 0 while they are tried one by one. */
   left = 0
-  /** The next step begins a row of them. */
+  /** All that the next step needs for one of a row is known. */
   inRow = false
+  /** Where the steps of a row are noted. */
+  log: MotionLog | undefined
   /** Energy that friction has turned into heat [J]. */
   heat = NaN
   /** How far before the jump that is looked for a tried step ended: negative past it. */
@@ -85,6 +88,8 @@ export class Motion {
   private pressChanges = false
   /** The normal force per mass at the end of the last step, where it changes along the piece [m/s²]. */
   private pressed = NaN
+  private endS = NaN
+  private endV = NaN
   // A step that ends between these has met no jump of the law.
   private low = NaN
   private high = NaN
@@ -92,7 +97,7 @@ export class Motion {
   private fastest = NaN
   // What a refused step has counted is taken back.
   private keptEvaluations = 0
-  private unsolvedAt = 0
+  private unsolvedAt = -1
 
   constructor(law: Law, s: number, v: number) {
     this.law = law
@@ -134,47 +139,51 @@ export class Motion {
   }
 
   /**
-   * Ends a step at `s` and `v`: what an integrator calls. Returns whether it goes on from there with another. A step of those
-   * in a row that met a jump of the law is not kept: the stopping rule takes it again.
+   * Ends a step at a distance and a speed: what an integrator calls. Returns whether it goes on from there with another. A step
+   * of those in a row that met a jump of the law is not kept: the stopping rule takes it again.
    */
-  goesOn(): boolean {
+  goesOn(s: number, v: number): boolean {
     if (this.left > 0) {
-      const { s, v } = this
-      if (!(v > this.slowest && v < this.fastest && s > this.low && s < this.high))
-        return this.refuse()
-      this.left--
-      if (this.pressChanges) apart(Motion.addPressed, this)
-      else this.heat += this.rubbing * Math.abs(s - this.startS)
-      this.startS = s
-      this.startV = v
+      if (!(v > this.slowest && v < this.fastest && s > this.low && s < this.high)) return false
+      if (this.pressChanges) {
+        this.endS = s
+        this.endV = v
+        apart(Motion.rubAlong, this)
+      } else this.heat += this.rubbing * Math.abs(s - this.s)
       this.keptEvaluations = this.evaluations
+      const { log } = this
+      if (log) {
+        const row = log.end - this.left
+        log.s[row] = s
+        log.v[row] = v
+        log.heat[row] = this.heat
+      }
+      this.left--
     }
+    this.s = s
+    this.v = v
     this.known = this.reusable
     return this.left > 0
   }
 
-  /** Returns to the state before a step that is not kept, and takes back what that has counted. */
-  private refuse(): boolean {
-    this.s = this.startS
-    this.v = this.startV
+  /** Ends a row at a step that was not kept: takes back what that has counted. */
+  refuse(): void {
+    this.inRow = false
+    if (this.unsolvedAt === this.evaluations) this.unsolved--
+    this.unsolvedAt = -1
     this.evaluations = this.keptEvaluations
-    if (this.unsolvedAt === this.left) this.unsolved--
-    return false
   }
 
   /** Counts a step whose equation was not solved to rounding. */
   leaveUnsolved(): void {
     this.unsolved++
-    this.unsolvedAt = this.left
+    this.unsolvedAt = this.evaluations
   }
 
-  /** Readies the motion for the row of steps that `left` asks for, unless the next one needs a stopping rule. */
+  /** Finds out whether the next step can be one of a row, or needs a stopping rule. */
   startRow(): void {
     const { s, v, from, to, law } = this
-    this.startS = s
-    this.startV = v
     this.keptEvaluations = this.evaluations
-    this.unsolvedAt = 0
     // Beyond these it has turned, or lost its stability.
     this.slowest = v > 0 ? 0 : -law.speedLimit
     this.fastest = v > 0 ? law.speedLimit : 0
@@ -199,6 +208,15 @@ export class Motion {
   addHeat(): void {
     if (this.pressChanges) Motion.addPressed(this)
     else this.heat += this.rubbing * Math.abs(this.s - this.startS)
+  }
+
+  /** Moves on to the end of a step of a row, and adds the heat where the normal force changes along it. */
+  private static rubAlong(motion: Motion): void {
+    motion.startS = motion.s
+    motion.startV = motion.v
+    motion.s = motion.endS
+    motion.v = motion.endV
+    Motion.addPressed(motion)
   }
 
   /**

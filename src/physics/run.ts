@@ -5,6 +5,7 @@ import type { Integrator } from './integrator.ts'
 import { entry } from './lists.ts'
 import { integrators } from './integrators/index.ts'
 import { Motion } from './motion.ts'
+import type { MotionLog } from './motionLog.ts'
 import type { Law } from './law.ts'
 import { scenes } from './scenes/index.ts'
 import { stoppings } from './stopping/index.ts'
@@ -53,9 +54,10 @@ export class Run {
   steps = 0
 
   private outcomeTime = NaN
-  /** Nobody needs to see each step by itself. */
-  private readonly inRows: boolean
+  private readonly startRow: (motion: Motion) => void
+  private readonly stepIsFrame: boolean
   private readonly wallClock = new ExactSum()
+  private readonly integrate: Integrator['step']
   private readonly integrator: Integrator
   private readonly stopping: StoppingRule
   private readonly advance: Advance
@@ -65,6 +67,7 @@ export class Run {
     const { parameters } = experiment
     const integrator: Integrator = entry(integrators, experiment.integrator)
     const stopping: StoppingRule = entry(stoppings, experiment.stopping)
+    this.integrate = integrator.step
     this.integrator = watch ? watch.integrator(integrator) : setApart(integrator)
     this.stopping = watch ? watch.stopping(stopping) : stopping
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
@@ -73,7 +76,8 @@ export class Run {
     this.motion = new Motion(watch ? watch.law(law) : law, parameters.position!, parameters.speed!)
     this.motion.accurate = integrator.order > 2
     this.motion.holdSlip(this.stopping.holdsSlip)
-    this.inRows = !watch
+    this.startRow = watch ? startNone : startRow
+    this.stepIsFrame = timestep.stepIsFrame === true
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
@@ -143,16 +147,8 @@ export class Run {
     if (!motion.moving) return
     let left = count
     while (left > 0 && motion.moving) {
-      const row = Math.min(left, LONGEST_ROW)
-      motion.left = row
-      if (this.inRows) apart(startRow, motion)
-      if (motion.inRow) {
-        this.integrator.step(motion)
-        left -= row - motion.left
-        motion.inRow = false
-        if (motion.left === 0) continue
-      }
-      motion.left = 0
+      left -= this.row(left)
+      if (left === 0) break
       this.stopping.advance(motion, this.integrator)
       if (!motion.moving)
         this.outcomeTime = this.stateTime + (before + count - left) * motion.dt + motion.elapsed
@@ -160,10 +156,60 @@ export class Run {
     }
     this.drawnS = motion.s
   }
+
+  /**
+   * Where each frame is one step: moves on by a row of frames of `frameDuration`, that many at the most, as far as none needs
+   * the stopping rule. Returns how many; their states are noted in the log. Whoever calls it sets `time` and `stateTime`.
+   */
+  frameRow(most: number, log: MotionLog): number {
+    const { motion } = this
+    if (!this.stepIsFrame || !motion.moving) return 0
+    const asked = Math.min(most, LONGEST_ROW)
+    log.end = log.rows + asked
+    motion.dt = this.frameDuration
+    motion.log = log
+    const taken = this.row(asked)
+    motion.log = undefined
+    this.frames += taken
+    this.steps += taken
+    this.drawnS = motion.s
+    return taken
+  }
+
+  /** Takes steps in a row by the integrator alone, that many at the most, until one needs the stopping rule. Returns how many. */
+  private row(most: number): number {
+    const { motion } = this
+    let left = most
+    while (left > 0) {
+      const asked = left < LONGEST_ROW ? left : LONGEST_ROW
+      motion.left = asked
+      // One call for both: an engine does not compile into this loop what a call has met several functions for.
+      const ready = motion.inRow && motion.dt > 0
+      const part = ready ? this.integrate : this.startRow
+      part(motion)
+      if (ready) {
+        left -= asked - motion.left
+        if (motion.left === 0) continue
+        motion.refuse()
+      }
+      if (!motion.inRow) break
+    }
+    motion.left = 0
+    return most - left
+  }
 }
 
 function startRow(motion: Motion): void {
+  apart(findRow, motion)
+}
+
+function findRow(motion: Motion): void {
   motion.startRow()
+}
+
+/** Whoever watches wants to see each step by itself. */
+function startNone(motion: Motion): void {
+  motion.inRow = false
 }
 
 /** The same integrator, its steps compiled by themselves. */

@@ -27,10 +27,12 @@ export function simulate(experiment: Experiment): Trajectory {
   const resolved = parseExperiment(experiment)
   const clock: FrameClock = entry(frameClocks, resolved.frames.kind)
   const expected = clock.frames(resolved.frames as never, resolved.duration)
-  const recorder = new Recorder(Math.ceil(1.02 * expected) + 2)
+  // Rounding does not make a frame more of a whole number of them.
+  const recorder = new Recorder(Math.ceil(expected * (1 - 1e-9)) + 1)
   const loop = new FrameLoop(resolved)
   recorder.record(loop.run)
   while (loop.goesOn) {
+    loop.row(recorder)
     loop.next()
     recorder.record(loop.run)
   }

@@ -11,6 +11,8 @@ export interface TimestepPolicy extends Described {
   readonly losesTime: boolean
   /** About how many steps a run of that many seconds and frames asks for, at the most. */
   steps(options: never, duration: number, frames: number): number
+  /** Each frame is one step as long as the frame, and nothing else: frames may be taken in a row. */
+  readonly stepIsFrame?: true
   start(options: never): Advance
 }
 

@@ -1,4 +1,6 @@
 import type { ResolvedExperiment } from './experiment.ts'
+import type { Frames } from './frameClock.ts'
+import type { MotionLog } from './motionLog.ts'
 import type { Outcome, Run } from './run.ts'
 
 /** Everything that happened in a run, a row for every frame; row 0 is the start. */
@@ -30,14 +32,15 @@ export interface Trajectory {
 }
 
 /** Takes down a run frame by frame. */
-export class Recorder {
-  private rows = 0
+export class Recorder implements MotionLog {
+  rows = 0
+  end = 0
+  s: Float64Array
+  v: Float64Array
+  heat: Float64Array
   private time: Float64Array
   private stateTime: Float64Array
-  private s: Float64Array
-  private v: Float64Array
   private drawnS: Float64Array
-  private heat: Float64Array
 
   /** `capacity`: how many rows to expect; more are no mistake. */
   constructor(capacity: number) {
@@ -49,9 +52,15 @@ export class Recorder {
     this.heat = new Float64Array(capacity)
   }
 
+  /** How many rows there is room for. */
+  get room(): number {
+    return this.time.length - this.rows
+  }
+
   record(run: Run): void {
     const row = this.rows++
-    if (row === this.time.length) this.resize(2 * row)
+    // Clocks that go by chance run past what is expected of them by little.
+    if (row === this.time.length) this.resize(row + (row >> 4) + 16)
     const { motion } = run
     this.time[row] = run.time
     this.stateTime[row] = run.stateTime
@@ -59,6 +68,17 @@ export class Recorder {
     this.v[row] = motion.v
     this.drawnS[row] = run.drawnS
     this.heat[row] = motion.heat
+  }
+
+  /** Adds rows of frames whose states the motion has noted: a step each, drawn where it ended. */
+  timeRow(count: number, frames: Frames): void {
+    const { rows, time, stateTime, s, drawnS } = this
+    this.rows = rows + count
+    for (let row = rows; row < this.rows; row++) {
+      frames.next()
+      time[row] = stateTime[row] = frames.time
+      drawnS[row] = s[row]!
+    }
   }
 
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {

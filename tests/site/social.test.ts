@@ -1,5 +1,6 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { AxeBuilder } from '@axe-core/playwright'
 import { expect, inject, test } from 'vitest'
 import { openPage } from './page.ts'
 
@@ -65,6 +66,12 @@ test('the page for lost links leads to the lab, with what the link said of it', 
   await page.locator('runner-row').first().waitFor()
   expect(page.url()).toMatch(/\/#angle=20$/)
   expect(problems).toEqual([])
+})
+
+test.each(['light', 'dark'] as const)('axe finds nothing in it, %s', async (colorScheme) => {
+  const { page } = await openPage({ path: '404.html#angle=20', colorScheme, width: 320 })
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320)
 })
 
 test('it says nothing of links that say nothing', async () => {

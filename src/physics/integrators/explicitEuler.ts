@@ -23,8 +23,6 @@ export const explicitEuler = {
       s = s + v * dt
       v = v + a * dt
       // #endregion
-      motion.s = s
-      motion.v = v
-    } while (motion.goesOn())
+    } while (motion.goesOn(s, v))
   },
 } as const satisfies Integrator

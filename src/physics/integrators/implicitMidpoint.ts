@@ -44,8 +44,6 @@ export const implicitMidpoint = {
       if (iterations >= MOST_ITERATIONS) motion.leaveUnsolved()
       s = s + guess * dt
       v = guess + guess - v
-      motion.s = s
-      motion.v = v
-    } while (motion.goesOn())
+    } while (motion.goesOn(s, v))
   },
 } as const satisfies Integrator

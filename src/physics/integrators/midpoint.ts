@@ -21,8 +21,6 @@ export const midpoint = {
       const aHalf = motion.acceleration(s + 0.5 * dt * v, vHalf)
       s = s + vHalf * dt
       v = v + aHalf * dt
-      motion.s = s
-      motion.v = v
-    } while (motion.goesOn())
+    } while (motion.goesOn(s, v))
   },
 } as const satisfies Integrator

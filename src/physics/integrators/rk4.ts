@@ -35,8 +35,6 @@ export const rk4 = {
       const a4 = motion.acceleration(s + dt * v3, v4)
       s = s + (dt * (v + 2 * (v2 + v3) + v4)) / 6
       v = v + (dt * (a1 + 2 * (a2 + a3) + a4)) / 6
-      motion.s = s
-      motion.v = v
-    } while (motion.goesOn())
+    } while (motion.goesOn(s, v))
   },
 } as const satisfies Integrator

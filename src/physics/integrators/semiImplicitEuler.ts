@@ -22,8 +22,6 @@ export const semiImplicitEuler = {
       v = v + motion.acceleration(s, v) * dt
       s = s + v * dt
       // #endregion
-      motion.s = s
-      motion.v = v
-    } while (motion.goesOn())
+    } while (motion.goesOn(s, v))
   },
 } as const satisfies Integrator

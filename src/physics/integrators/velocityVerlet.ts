@@ -32,9 +32,7 @@ export const velocityVerlet = {
       a = motion.acceleration(s, v + before * dt)
       v = v + 0.5 * (before + a) * dt
       // #endregion
-      motion.s = s
-      motion.v = v
-      if (!motion.goesOn()) break
+      if (!motion.goesOn(s, v)) break
       // This step's a′ is the next step's a, unless the force looks at the velocity.
       if (!reusable) a = motion.acceleration(s, v)
     }

@@ -36,9 +36,7 @@ export const yoshida4 = {
         a = motion.acceleration(s, v + before * part)
         v = v + 0.5 * (before + a) * part
       }
-      motion.s = s
-      motion.v = v
-      if (!motion.goesOn()) break
+      if (!motion.goesOn(s, v)) break
       if (!reusable) a = motion.acceleration(s, v)
     }
     motion.a = motion.left > 0 ? first : a

@@ -7,6 +7,7 @@ export const variable = {
   about: 'One step a frame, as long as the frame was: multiply by deltaTime, as the paper does.',
   options: {},
   losesTime: false,
+  stepIsFrame: true,
   steps: (_, __, frames) => frames,
   // #region advance
   start: () => (run) => {
