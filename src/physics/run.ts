@@ -54,10 +54,10 @@ export class Run {
   steps = 0
 
   private outcomeTime = NaN
-  private readonly startRow: (motion: Motion) => void
   private readonly stepIsFrame: boolean
   private readonly wallClock = new ExactSum()
-  private readonly integrate: Integrator['step']
+  /** What begins a row of steps, and what takes them. */
+  private readonly parts: ((motion: Motion) => void)[]
   private readonly integrator: Integrator
   private readonly stopping: StoppingRule
   private readonly advance: Advance
@@ -67,7 +67,6 @@ export class Run {
     const { parameters } = experiment
     const integrator: Integrator = entry(integrators, experiment.integrator)
     const stopping: StoppingRule = entry(stoppings, experiment.stopping)
-    this.integrate = integrator.step
     this.integrator = watch ? watch.integrator(integrator) : setApart(integrator)
     this.stopping = watch ? watch.stopping(stopping) : stopping
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
@@ -76,7 +75,7 @@ export class Run {
     this.motion = new Motion(watch ? watch.law(law) : law, parameters.position!, parameters.speed!)
     this.motion.accurate = integrator.order > 2
     this.motion.holdSlip(this.stopping.holdsSlip)
-    this.startRow = watch ? startNone : startRow
+    this.parts = [watch ? startNone : startRow, integrator.step]
     this.stepIsFrame = timestep.stepIsFrame === true
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
@@ -183,10 +182,9 @@ export class Run {
     while (left > 0) {
       const asked = left < LONGEST_ROW ? left : LONGEST_ROW
       motion.left = asked
-      // One call for both: an engine does not compile into this loop what a call has met several functions for.
       const ready = motion.inRow && motion.dt > 0
-      const part = ready ? this.integrate : this.startRow
-      part(motion)
+      // From a list, since a function that an engine knows to be always the same it would compile in after all.
+      apart(this.parts[ready ? 1 : 0]!, motion)
       if (ready) {
         left -= asked - motion.left
         if (motion.left === 0) continue
@@ -200,10 +198,6 @@ export class Run {
 }
 
 function startRow(motion: Motion): void {
-  apart(findRow, motion)
-}
-
-function findRow(motion: Motion): void {
   motion.startRow()
 }
 

@@ -158,7 +158,8 @@ class Watcher implements Watch {
       from: stateOf(motion),
       to: stateOf(motion),
       slip,
-      reused: motion.known ? motion.a : undefined,
+      // Only a method that uses it again leaves one.
+      reused: motion.known && !Number.isNaN(motion.a) ? motion.a : undefined,
       evaluations: [],
     }
     this.evaluations = tried.evaluations
