@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { areaUnderV, gapsOf } from '../../src/figure/figures/areaUnderV.ts'
+import { breakIt } from '../../src/figure/figures/breakIt.ts'
 import { chatter, turnsOf } from '../../src/figure/figures/chatter.ts'
 import { ticksOf } from '../../src/figure/figures/clockwork.ts'
 import { initialValues, readValues } from '../../src/figure/figures/control.ts'
@@ -121,6 +122,19 @@ test('three-stops: clamped stops are apart, located ones are not', () => {
   expect(spread('clamped')).toBeGreaterThan(0.2)
   expect(spread('paper')).toBeGreaterThan(0.2)
   expect(spread('located')).toBeLessThan(1e-12)
+})
+
+test('break-it: whatever the frames, the three end in one place, the exact one', () => {
+  for (const fps of [2, 15, 47, 240])
+    for (const [scatter, stall] of [
+      [0, 0.05],
+      [60, 0.25],
+      [90, 0.6],
+    ])
+      for (const angle of [0, 15, 26, 27, 45])
+        for (const { experiment, drawnS } of set(breakIt, { fps, scatter, stall, angle }).runs)
+          // Velocity Verlet with located stops is exact on the ramp: what is left is rounding, of some metres.
+          expect(Math.abs(last(drawnS) - exact(experiment, 2).s)).toBeLessThan(1e-12)
 })
 
 test('frames-and-ticks: the ticks are the steps that were counted, and under fixed all alike', () => {

@@ -17,7 +17,7 @@ async function openForces(...given: Parameters<typeof openLab>) {
   const { page } = lab
   await page.getByRole('checkbox', { name: 'Show forces' }).check()
   const figures = (name: string) =>
-    page.getByRole('row', { name }).getByRole('cell').allInnerTexts()
+    page.locator('.forces').getByRole('row', { name }).getByRole('cell').allInnerTexts()
   return { ...lab, figures, line: () => page.locator('.friction-line').innerText() }
 }
 

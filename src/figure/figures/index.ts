@@ -94,4 +94,9 @@ export const figures: readonly FigureEntry[] = [
     title: 'The step as printed, corrected line by line',
     load: () => import('./paperStep.ts').then((module) => module.paperStep),
   },
+  {
+    id: 'break-it',
+    title: 'Try to break it',
+    load: () => import('./breakIt.ts').then((module) => module.breakIt),
+  },
 ]

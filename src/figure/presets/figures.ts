@@ -101,6 +101,12 @@ const rows: readonly (readonly [id: string, label: string, watch: string, addres
     'Play it: the block swings higher each time, until it flies over the edge.',
     'scene=half-pipe&position=2.6&duration=12&runners=60/explicit-euler',
   ],
+  [
+    'break-it',
+    'Try to break it',
+    'Change the frame rates, the scatter and the stalls as you like: the blocks end in one place.',
+    'duration=2&runners=15;jitter(fps:15,amount:0.6,seed:1);hitch(fps:15,every:0.3,length:0.25)',
+  ],
 ]
 
 /** Every figure of the tutorial that a lab can show, by its name. */
