@@ -22,11 +22,11 @@ test('the blocks glide to where a button puts them, and end where they belong', 
   expect((await moving.state()).runners[0]!.timestep.kind).toBe('per-frame')
   expect(await moving.spread()).toBe('0.95\u2009m')
   const after = await moving.pixels()
-  expect(after).not.toBe(before)
+  expect(after).not.toEqual(before)
   expect(await setMode(still.page, 'no-delta-time')).toBe(false)
   await still.page.waitForTimeout(50)
   await moving.page.waitForTimeout(50)
-  expect(await moving.pixels()).toBe(await still.pixels())
+  expect(await moving.pixels()).toEqual(await still.pixels())
 })
 
 test('on the way there are pictures that are neither the one nor the other', async () => {

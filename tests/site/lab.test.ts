@@ -55,7 +55,7 @@ test('the theme goes from the system’s to light to dark, in page and picture',
   const byTheSystem = [await paper(), await pixels()]
   await page.getByRole('button', { name: 'Theme: system' }).click()
   await expect.poll(async () => [await paper(), await pixels()]).not.toContain(byTheSystem[0])
-  expect(await pixels()).not.toBe(byTheSystem[1])
+  expect(await pixels()).not.toEqual(byTheSystem[1])
   await page.getByRole('button', { name: 'Theme: light' }).click()
   await expect.poll(async () => [await paper(), await pixels()]).toEqual(byTheSystem)
   await page.getByRole('button', { name: 'Theme: dark' }).click()

@@ -1,17 +1,21 @@
 import { describe, expect, test } from 'vitest'
 import { middle, openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
+import type { Picture } from './picture.ts'
 
 const TILT = '[data-handle="tilt"]'
 
 /** What must follow a change of the angle: state, field, slider, handle, picture, figures, address. */
-async function expectTilted(lab: Lab, before: { pixels: string; spread: string }): Promise<number> {
+async function expectTilted(
+  lab: Lab,
+  before: { pixels: Picture; spread: string },
+): Promise<number> {
   const { angle } = (await lab.state()).parameters as { angle: number }
   expect(angle).not.toBe(15)
   expect(await lab.field('Angle').inputValue()).toBe(String(angle))
   expect(await lab.handle('Tilt the track').getAttribute('aria-valuenow')).toBe(String(angle))
   expect(await lab.handle('Tilt the track').getAttribute('aria-valuetext')).toBe(`${angle} °`)
-  expect(await lab.pixels()).not.toBe(before.pixels)
+  expect(await lab.pixels()).not.toEqual(before.pixels)
   expect(await lab.spread()).not.toBe(before.spread)
   await lab.address(new RegExp(`^#angle=${angle}$`))
   expect(lab.problems).toEqual([])

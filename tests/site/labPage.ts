@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core'
 import { expect } from 'vitest'
 import type { LabState } from '../../src/figure/state.ts'
 import { openPage } from './page.ts'
+import { Picture } from './picture.ts'
 
 export type Lab = Awaited<ReturnType<typeof openLab>>
 
@@ -35,9 +36,10 @@ export async function openLab(address = '', options: Parameters<typeof openPage>
     /** What is on the canvas, to be compared with what was. */
     pixels: async () => {
       await page.locator('slide-lab:not([gliding])').first().waitFor()
-      return page.evaluate(() =>
+      const png = await page.evaluate(() =>
         document.querySelector<HTMLCanvasElement>('slide-stage canvas')!.toDataURL(),
       )
+      return new Picture(png)
     },
     /** Once it is what it should be: it is written a little later than the picture. */
     address: (expected: string | RegExp) =>

@@ -14,7 +14,7 @@ test('play goes from the start to the end and stops there, pause holds', async (
   expect(held).toBeLessThan(1)
   await page.waitForTimeout(150)
   expect(await now()).toBe(held)
-  expect(await lab.pixels()).toBe(pixels)
+  expect(await lab.pixels()).toEqual(pixels)
   await page.getByRole('button', { name: 'Play', exact: true }).click()
   await expect.poll(now, { timeout: 5000 }).toBe(1)
   await expect.poll(() => page.getByRole('button', { name: 'Pause' }).count()).toBe(0)
@@ -108,6 +108,8 @@ test('while it plays nothing is told, and off the screen nothing runs', async ()
   const { page } = lab
   const { now } = lab
   const words = () => page.locator('slide-lab [aria-live]').textContent()
+  // Words follow the picture a little later.
+  await expect.poll(words).toContain('Ramp after 20.00')
   const before = await words()
   await page.getByRole('button', { name: 'Play', exact: true }).click()
   await page.waitForTimeout(900)

@@ -13,6 +13,8 @@ type PageOptions = {
   reducedMotion?: 'reduce' | 'no-preference'
   hasTouch?: boolean
   javaScriptEnabled?: boolean
+  /** The page's clock is the test's, who may halt it and let hours pass: `page.clock`. */
+  ownClock?: boolean
 }
 
 type OpenPage = {
@@ -36,7 +38,7 @@ afterAll(() => browser.close())
  * closed with it; one opened in a hook is closed with its file.
  */
 export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
-  const { path = '', width = 1280, height = 800, ...others } = options
+  const { path = '', width = 1280, height = 800, ownClock = false, ...others } = options
   const settings: BrowserContextOptions = { viewport: { width, height }, ...others }
   const context = await browser.newContext(settings)
   const close = () => context.close()
@@ -44,9 +46,21 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
 
   const page = await context.newPage()
   const problems = watch(page)
+  if (ownClock) await page.clock.install()
   await page.goto(new URL(path, inject('address')).href, { waitUntil: 'load' })
   await page.evaluate(() => document.fonts.ready.then(() => undefined))
+  if (options.javaScriptEnabled !== false) await whole(page)
   return { page, problems, close }
+}
+
+/** Waits for what a page loads as soon as its lab is alive. */
+async function whole(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const lab = document.querySelector('slide-lab')
+    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'lab-measures:defined'
+    const text = document.querySelector('.tutorial') ? 'slide-figure:defined' : 'body'
+    return (!lab || lab.querySelector(later)) && document.querySelector(text)
+  })
 }
 
 function watch(page: Page): string[] {

@@ -1,14 +1,17 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import type { Page } from 'playwright-core'
 import { describe, expect, inject, it } from 'vitest'
 import { openLab } from './labPage.ts'
+import { Picture } from './picture.ts'
 
 /**
  * The page as it looked when somebody last looked at it. `npm run shots` takes the pictures anew: look at them before
  * they are committed. README's picture is one of them.
  */
 const folder = join(import.meta.dirname, 'shots')
+/** What an eye sees as different [1/255 of a channel]. */
+const VISIBLE = 24
+
 const renew = process.env.SHOTS === 'renew'
 
 const shots: {
@@ -44,36 +47,9 @@ describe.skipIf(!inject('packaged'))('the page looks as it did', () => {
       writeFileSync(file, shot)
     }
     expect(existsSync(file), `there is no ${file}: npm run shots takes it`).toBe(true)
-    const share = await differing(page, shot, readFileSync(file))
+    const share = new Picture(shot).differing(new Picture(readFileSync(file)), VISIBLE)
     // A letter's edge may be drawn otherwise on another processor; a word that moved is a hundred times as much.
     expect(share, 'share of pixels that differ: npm run shots, and look').toBeLessThan(1e-4)
     expect(problems).toEqual([])
   })
 })
-
-/** The share of pixels that differ visibly between two pictures; 1 where their sizes do. */
-function differing(page: Page, one: Buffer, other: Buffer): Promise<number> {
-  return page.evaluate(
-    async (urls) => {
-      const [a, b] = await Promise.all(
-        urls.map(async (url) => {
-          const image = new Image()
-          image.src = url
-          await image.decode()
-          const canvas = new OffscreenCanvas(image.width, image.height)
-          const context = canvas.getContext('2d')!
-          context.drawImage(image, 0, 0)
-          return context.getImageData(0, 0, image.width, image.height)
-        }),
-      )
-      if (a!.width !== b!.width || a!.height !== b!.height) return 1
-      let count = 0
-      for (let i = 0; i < a!.data.length; i += 4) {
-        const difference = [0, 1, 2].map((k) => Math.abs(a!.data[i + k]! - b!.data[i + k]!))
-        if (Math.max(...difference) > 24) count++
-      }
-      return count / (a!.width * a!.height)
-    },
-    [one, other].map((png) => `data:image/png;base64,${png.toString('base64')}`),
-  )
-}

@@ -15,10 +15,7 @@ type Lab = HTMLElement & {
 const EIGHT = 'duration=10&runners=10;30;60;120;144;240;240/fixed(step:1/60);1/rk4'
 
 test('a tab that was hidden for an hour goes on where it was', async () => {
-  const { page, now, problems } = await openLab('', {})
-  await page.clock.install()
-  await page.goto(`${page.url()}#${EIGHT}`)
-  await page.reload()
+  const { page, now, problems } = await openLab(EIGHT, { ownClock: true })
   await page.clock.pauseAt(new Date(Date.now() + 1000))
   await page.getByRole('button', { name: 'Play', exact: true }).click()
   await page.clock.runFor(1000)
@@ -159,7 +156,7 @@ test('zoom and pixel ratio may change while it plays', async () => {
     (time) => document.querySelector<Lab>('slide-lab')!.playback.seek(time),
     time,
   )
-  expect((await fresh.pixels()) === seen).toBe(true)
+  expect(await fresh.pixels()).toEqual(seen)
   expect(problems).toEqual([])
 })
 
