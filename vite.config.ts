@@ -1,4 +1,7 @@
+import { resolve } from 'node:path'
 import { defineConfig } from 'vite'
+import type { Plugin } from 'vite'
+import { head } from './src/tutorial/build/head.ts'
 import { tutorial } from './src/tutorial/build/plugin.ts'
 
 export default defineConfig({
@@ -6,14 +9,81 @@ export default defineConfig({
   base: './',
   // A missing file is a 404, not the front page.
   appType: 'mpa',
-  plugins: [tutorial()],
+  plugins: [tutorial(), preloaded(), sharingWorker(), head()],
   build: {
     target: 'es2022',
+    // What does it for every figure would be longer than the wait for one.
+    modulePreload: false,
     rolldownOptions: {
       input: ['index.html', 'embed.html', '404.html'],
+      // What their index.ts lists and nothing uses is not loaded with it.
+      treeshake: {
+        moduleSideEffects: [{ test: /\/src\/(physics|measure|view)\//, sideEffects: false }],
+      },
+      output: {
+        codeSplitting: {
+          groups: [
+            // What is loaded first: the physics, which the worker has too, and the lab with the styles that come before a
+            // page's own. Files in src itself are the pages' own.
+            { name: 'physics', tags: ['$initial'], test: /\/src\/(physics\/|measure\/spreadOf)/ },
+            {
+              name: 'lab',
+              tags: ['$initial'],
+              test: /\/(src\/(?!physics|measure|figure\/(share|measures)\/)\w+|node_modules)\/(.*\.[jt]s|site\.css)$/,
+            },
+          ],
+        },
+      },
     },
   },
   // In a frame that is sandboxed, as the embed code's is, a page has no origin, and what it loads comes from another.
   preview: { headers: { 'Access-Control-Allow-Origin': '*' } },
   worker: { format: 'es' },
 })
+
+/** Has what a page's script imports asked for together with the script, by the page and not by a script of Vite's. */
+function preloaded(): Plugin {
+  const helper = '\0vite/preload-helper.js'
+  return {
+    name: 'preloaded',
+    apply: 'build',
+    enforce: 'pre',
+    load: (id) => (id === helper ? 'export const __vitePreload = (load) => load()' : null),
+    transformIndexHtml: {
+      order: 'post',
+      handler(_, { chunk, bundle = {} }) {
+        const files = new Set(chunk?.imports)
+        for (const file of files) {
+          const imported = bundle[file]
+          if (imported?.type === 'chunk') for (const each of imported.imports) files.add(each)
+        }
+        return [...files].map((file) => ({
+          tag: 'link',
+          attrs: { rel: 'modulepreload', crossorigin: true, href: `./${file}` },
+          injectTo: 'head',
+        }))
+      },
+    },
+  }
+}
+
+/** Builds the worker as a part of the page, so that it shares the page's physics: as Vite does it, it has its own. */
+function sharingWorker(): Plugin {
+  const address = "new URL('./measureWorker.ts', import.meta.url)"
+  return {
+    name: 'sharing-worker',
+    apply: 'build',
+    enforce: 'pre',
+    transform: {
+      filter: { id: /\/measurer\.ts$/ },
+      handler(code, id) {
+        if (!code.includes(address)) this.error(`measurer.ts does not have ${address}`)
+        const worker = this.emitFile({ type: 'chunk', id: resolve(id, '../measureWorker.ts') })
+        return {
+          code: code.replace(address, `import.meta.ROLLUP_FILE_URL_${worker}`),
+          map: null,
+        }
+      },
+    },
+  }
+}

@@ -1,11 +1,11 @@
 import { defineConfig } from 'vite'
-import { withoutWorker } from './vite.elements.config.ts'
+import { withOwnNames, withoutWorker } from './vite.elements.config.ts'
 
-/** The modules of the npm package: the physics, which needs nothing, and the elements, which need Lit and uPlot. */
+/** The modules of the npm package: the physics, which needs nothing, and the elements, which need Lit. */
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [withoutWorker()],
+  plugins: [withoutWorker(), withOwnNames()],
   build: {
     target: 'es2022',
     outDir: 'package',
@@ -15,7 +15,7 @@ export default defineConfig({
       formats: ['es'],
     },
     rolldownOptions: {
-      external: /^(lit|uplot)(\/|$)/,
+      external: /^lit(\/|$)/,
       output: { chunkFileNames: 'chunks/[name]-[hash].js' },
     },
   },

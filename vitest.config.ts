@@ -5,8 +5,10 @@ export default defineConfig({
   test: {
     // A browser that is waited for leaves time for another: two files at once even where there are only two cores.
     maxWorkers: Math.max(2, availableParallelism() - 1),
-    testTimeout: 60_000,
-    hookTimeout: 60_000,
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
+    // Of expect.poll: a busy machine takes longer than the second that it has otherwise.
+    expect: { poll: { timeout: 15_000 } },
     coverage: {
       provider: 'v8',
       include: ['src/physics/**/*.ts'],

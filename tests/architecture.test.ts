@@ -10,7 +10,7 @@ const rules: Record<string, Rule> = {
   physics: { runtime: [], types: [] },
   measure: { runtime: ['physics'], types: [] },
   view: { runtime: [], types: ['physics'] },
-  figure: { runtime: ['physics', 'measure', 'view', 'lit', 'uplot'], types: ['report'] },
+  figure: { runtime: ['physics', 'measure', 'view', 'lit'], types: ['report'] },
   elements: { runtime: ['physics', 'figure', 'styles', 'lit'], types: [] },
   tutorial: { runtime: ['figure'], types: [] },
   // Rooms of the tutorial that are for the build alone: nothing of them is in the page.

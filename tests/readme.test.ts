@@ -47,16 +47,18 @@ describe('README', () => {
     }
   })
 
-  it('names only files, folders and commands that exist', () => {
-    for (const [, path] of readme.matchAll(/`((?:src|tests|public)\/[\w./-]+)`/g)) {
-      if (!path!.includes('yourMethod')) expect(existsSync(join(root, path!)), path).toBe(true)
+  it.each(['README.md', 'CONTRIBUTING.md'])('%s names only what exists', (name) => {
+    const text = readFileSync(join(root, name), 'utf8')
+    for (const [, path] of text.matchAll(/`((?:src|tests|public)\/[\w./-]+)`/g)) {
+      if (!/your(Method|Scene|Clock)/.test(path!))
+        expect(existsSync(join(root, path!)), path).toBe(true)
     }
-    for (const [, path] of readme.matchAll(/\]\(((?!http)[^)]+)\)/g))
+    for (const [, path] of text.matchAll(/\]\(((?!http)[^)]+)\)/g))
       expect(existsSync(join(root, path!)), path).toBe(true)
     const { scripts } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')) as {
       scripts: Record<string, string>
     }
-    for (const [, script] of readme.matchAll(/npm run ([\w:-]+)/g))
+    for (const [, script] of text.matchAll(/npm run ([\w:-]+)/g))
       expect(Object.keys(scripts)).toContain(script)
   })
 })

@@ -1,38 +1,146 @@
-import { figures } from '../figure/figures/index.ts'
+import { html, nothing } from 'lit'
+import type { PropertyValues } from 'lit'
+import type { Values } from '../figure/figures/control.ts'
 import { SlideFigure } from '../figure/slideFigure.ts'
-import { rootIn } from './shadow.ts'
+import { Shadow } from './shadow.ts'
+import { inUnits } from './styles.ts'
 
-/** `<slide-figure>` for other people's pages: see `src/elements.ts` for what it offers. */
+type Given = Readonly<Record<string, unknown>> | string | null
+
+/**
+ * A figure of the tutorial: a picture, its controls and what comes of them. It comes alive when it is near the window.
+ *
+ * A name that there is not, and values that its controls can't have, are told of in it and by the event `error`.
+ *
+ * @tag slide-figure
+ * @attr {string} name - Which figure.
+ * @attr {JSON} values - Of its controls, by name; those that are not there are as the figure has them at first.
+ * @attr {string} theme - `light` or `dark`, in the place of the page's own `color-scheme`.
+ * @prop {string | null} name
+ * @prop {Values} values - Of all its controls; setting it changes those that are given. Empty until it is alive.
+ * @prop {string | null} theme
+ * @prop {'gravity' | 'normal' | 'friction' | 'sum' | 'velocity' | undefined} lit - The arrow to set off from the others.
+ * @readonly {readonly Trajectory[]} trajectories - The runs, as `simulate` returned them.
+ * @readonly {number} duration - Of the runs; 0 where the figure has no time [s].
+ * @readonly {Playback} playback - Its cursor on time: `time` [s], `speed`, `playing`, `play()`, `pause()`, `seek(time)`,
+ * `toStart()`, `toEnd()`, `stepFrames(count)`.
+ * @method {(values: object) => void} set - Changes what controls say, and has it come alive. Throws RangeError for a
+ * control or a value that there is not.
+ * @fires {CustomEvent<Values>} change - A control has changed, by the reader or by the page. It bubbles.
+ * @fires {CustomEvent<{ time: number }>} timeupdate - The instant shown has moved [s]; while it plays, as long as it can be
+ * seen.
+ * @fires {CustomEvent<{ message: string }>} error - There is no such figure, control or value.
+ * @slot - Shown until the figure is alive, and where there are no scripts.
+ * @slot caption - Shown below.
+ * @csspart pictures - All pictures, side by side or one under the other.
+ * @csspart controls - Sliders, choices and switches.
+ * @csspart transport - Playing, and the time slider.
+ * @csspart readings - Numbers that come of it.
+ * @csspart outcome - What comes of it, in a sentence.
+ * @csspart message - There is no such figure, control or value.
+ * @cssprop --size - The text size that all other sizes go by; the reader's own, if nothing is said.
+ * @cssprop --font-text, --font-controls - Typefaces: of large numbers and of letters in formulas, and of all else.
+ * @cssprop --accent, --on-accent - What can be pressed and dragged, and what is written on it.
+ * @cssprop --ink, --ink-soft - Text, and text of less weight.
+ * @cssprop --paper, --sheet, --ground - Behind the card, the card, the ground under the track.
+ * @cssprop --line, --edge - Lines between parts, and around what can be typed in.
+ * @cssprop --shadow - Of the card.
+ * @cssprop --wrong - What can't be run, and what has gone wrong.
+ * @cssprop --runner-0, --runner-1, --runner-2, --runner-3, --runner-4, --runner-5, --runner-6, --runner-7 - The blocks.
+ * @cssprop --force-gravity, --force-normal, --force-friction, --force-other, --force-sum, --velocity - The arrows on a block.
+ */
 export class SlideFigureElement extends SlideFigure {
+  static override properties = {
+    ...SlideFigure.properties,
+    values: { noAccessor: true, hasChanged: () => true },
+    theme: { reflect: true },
+    problem: { state: true },
+  }
+
+  declare theme: string | null
+  declare private problem: string
+  readonly #shadow = new Shadow(this)
+  #given: Given = null
+  /** Of these, what the figure has been asked for. */
+  #taken: Given = null
+
   constructor() {
     super()
+    this.problem = ''
+    this.#shadow.root.append(document.createElement('slot'))
     this.playback.watch(this, 'write', () => {
       const { time } = this.playback
       this.dispatchEvent(new CustomEvent('timeupdate', { detail: { time } }))
     })
   }
 
-  override createRenderRoot() {
-    return rootIn(this)
+  override get values(): Values {
+    return super.values
+  }
+
+  override set values(given: Given) {
+    // A page that renders itself anew hands over equal values as a new object: that asks for nothing.
+    if (JSON.stringify(given) === JSON.stringify(this.#given)) return
+    this.#given = given
+    this.requestUpdate('values')
+  }
+
+  override createRenderRoot(): HTMLElement {
+    return this.#shadow.root
+  }
+
+  override shouldUpdate(changed: PropertyValues): boolean {
+    if (changed.get('name') !== undefined) this.wakeAnew()
+    else if (changed.has('values') && this.view) this.#take()
+    return this.problem !== '' || super.shouldUpdate(changed)
+  }
+
+  override update(changed: PropertyValues): void {
+    // What the page had put there for the time being.
+    if (!this.hasUpdated) this.#shadow.root.replaceChildren()
+    super.update(changed)
+  }
+
+  override render() {
+    const { problem, view } = this
+    return html`${
+      problem ? html`<p class="problem" part="message" role="alert">${problem}</p>` : nothing
+    }${view ? super.render() : nothing}`
   }
 
   protected override async comeAlive(): Promise<void> {
-    if (!figures.some(({ id }) => id === this.name)) return this.refuse()
-    const { cssText } = this.style
-    await super.comeAlive()
-    // What the page had said of its size goes on holding.
-    this.style.cssText += cssText
-    ;(this.renderRoot as HTMLElement).toggleAttribute('live', true)
+    const { root } = this.#shadow
+    this.#taken = null
+    this.problem = ''
+    try {
+      await super.comeAlive()
+      root.style.cssText = inUnits(root.style.cssText)
+      this.#take()
+    } catch (error) {
+      this.#refuse((error as Error).message)
+    }
+    root.toggleAttribute('live', true)
   }
 
-  private refuse(): void {
-    const known = figures.map(({ id }) => id).join(', ')
-    const message = `There is no figure “${this.name ?? ''}”. There are: ${known}.`
-    const text = Object.assign(document.createElement('p'), { textContent: message, role: 'alert' })
-    text.style.padding = '1rem'
-    this.renderRoot.replaceChildren(text)
-    // It needs no room for more.
-    ;(this.renderRoot as HTMLElement).toggleAttribute('live', true)
+  #take(): void {
+    const given = this.#given
+    if (!given || given === this.#taken) return
+    this.#taken = given
+    try {
+      const read: unknown = typeof given === 'string' ? JSON.parse(given) : given
+      if (Object(read) !== read) throw new TypeError('these are no values by name')
+      const wanted = Object.entries(read as object) as [string, unknown][]
+      const { values } = this
+      if (wanted.some(([name, value]) => JSON.stringify(value) !== JSON.stringify(values[name])))
+        this.set(Object.fromEntries(wanted))
+      this.problem = ''
+    } catch (error) {
+      this.#refuse(`values: ${(error as Error).message}`)
+    }
+  }
+
+  #refuse(message: string): void {
+    this.problem = message
     this.dispatchEvent(new CustomEvent('error', { detail: { message } }))
   }
 }

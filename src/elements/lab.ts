@@ -1,21 +1,90 @@
 import { html, nothing } from 'lit'
-import type { PropertyValues } from 'lit'
+import type { PropertyDeclaration, PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Experiment, Problem } from '../physics/index.ts'
 import { stateAsked } from '../figure/attributes.ts'
 import { experimentOf } from '../figure/check.ts'
 import { SlideLab } from '../figure/slideLab.ts'
-import { rootIn } from './shadow.ts'
+import type { LabState } from '../figure/state.ts'
+import { Shadow } from './shadow.ts'
 
 /** The properties that ask for something, by the names that `Asked` has for them. */
-const asking = ['experiment', 'scene', 'fps', 'integrator', 'stopping', 'timestep'] as const
+const asking = [
+  ...(['experiment', 'scene', 'fps', 'integrator', 'stopping', 'timestep'] as const),
+  'duration',
+] as const
 
-/** `<slide-lab>` for other people's pages: see `src/elements.ts` for what it offers. */
+/** A page that renders itself anew hands over an equal value as a new object: that asks for nothing. */
+const byValue: PropertyDeclaration = {
+  hasChanged: (value, before) => JSON.stringify(value) !== JSON.stringify(before),
+}
+
+/**
+ * Blocks on a track, moved by different methods at different frame rates, beside the exact one.
+ *
+ * What is asked for by attribute or property, and can't be run, is told of above the lab and by the event `error`; the
+ * lab goes on showing what it showed before.
+ *
+ * @tag slide-lab
+ * @attr {JSON} experiment - An experiment as `simulate` takes it, or a list of up to eight that share scene, parameters
+ * and duration.
+ * @attr {string} scene - `fall`, `ramp`, `run-out`, `half-pipe` or `spring`.
+ * @attr {string} fps - A frame rate for each block, as `10 30 120`.
+ * @attr {string} integrator - The method of all blocks, as `velocity-verlet`.
+ * @attr {string} stopping - `naive`, `clamped` or `located`.
+ * @attr {string} timestep - `per-frame`, `variable`, `capped`, `substeps` or `fixed`; or as JSON, with its options.
+ * @attr {number} duration - How long each run lasts [s].
+ * @attr {boolean} compact - Only the buttons, the picture and the transport, with a link to the whole lab.
+ * @attr {string} theme - `light` or `dark`, in the place of the page's own `color-scheme`.
+ * @prop {Experiment | readonly Experiment[] | string | null} experiment - The same, as a value or as JSON.
+ * @prop {string | null} scene
+ * @prop {string | number | readonly number[] | null} fps
+ * @prop {string | null} integrator
+ * @prop {string | null} stopping
+ * @prop {Experiment['timestep'] | string | null} timestep
+ * @prop {number} duration - Setting it asks for another; reading it gives that of the runs shown [s].
+ * @prop {boolean} compact
+ * @prop {string | null} theme
+ * @readonly {readonly Experiment[]} experiments - What is run now, one for each block: as it was asked for, and as readers
+ * changed it since. Fit to be set as `experiment`.
+ * @readonly {readonly Trajectory[]} trajectories - The runs, as `simulate` returned them.
+ * @readonly {Playback} playback - Its cursor on time: `time` [s], `speed`, `playing`, `play()`, `pause()`, `seek(time)`,
+ * `toStart()`, `toEnd()`, `stepFrames(count)`.
+ * @method {(options?: FocusOptions) => void} focus - Gives it the focus, and with it the keys: Space plays, ← → go by frames.
+ * @fires {CustomEvent<{ experiments: readonly Experiment[] }>} change - What is run has become another, by the reader or
+ * by the page.
+ * @fires {CustomEvent<{ time: number }>} timeupdate - The instant shown has moved [s]; while it plays, as long as it can be
+ * seen.
+ * @fires {CustomEvent<{ message: string, problems: readonly Problem[] }>} error - What was asked for can't be run.
+ * @slot caption - Shown below. All other content of the element is for browsers without scripts: it goes when the element
+ * comes.
+ * @csspart sheet - The card that all is on.
+ * @csspart modes - The buttons that set all blocks at once.
+ * @csspart spread - The frame-rate spread.
+ * @csspart stage - The picture with its handles.
+ * @csspart transport - Playing, the time slider and the strip of frames.
+ * @csspart runners - The table of blocks.
+ * @csspart parameters - The sliders of the scene.
+ * @csspart plots - The curves over time.
+ * @csspart link - The line that leads to the whole lab, where it is compact.
+ * @csspart message - What was asked for and can't be run.
+ * @cssprop --size - The text size that all other sizes go by; the reader's own, if nothing is said.
+ * @cssprop --font-text, --font-controls - Typefaces: of large numbers and of letters in formulas, and of all else.
+ * @cssprop --accent, --on-accent - What can be pressed and dragged, and what is written on it.
+ * @cssprop --ink, --ink-soft - Text, and text of less weight.
+ * @cssprop --paper, --sheet, --ground - Behind the card, the card, the ground under the track.
+ * @cssprop --line, --edge - Lines between parts, and around what can be typed in.
+ * @cssprop --shadow - Of the card.
+ * @cssprop --wrong - What can't be run, and what has gone wrong.
+ * @cssprop --runner-0, --runner-1, --runner-2, --runner-3, --runner-4, --runner-5, --runner-6, --runner-7 - The blocks.
+ * @cssprop --force-gravity, --force-normal, --force-friction, --force-other, --force-sum, --velocity - The arrows on a block.
+ */
 export class SlideLabElement extends SlideLab {
   static override properties = {
+    ...Object.fromEntries(asking.map((name) => [name, byValue])),
+    duration: { noAccessor: true, hasChanged: () => true },
     ...SlideLab.properties,
-    ...Object.fromEntries(asking.map((name) => [name, {}])),
-    askedDuration: { attribute: 'duration' },
+    theme: { reflect: true },
     problems: { state: true },
   }
 
@@ -25,49 +94,61 @@ export class SlideLabElement extends SlideLab {
   declare integrator: string | null
   declare stopping: string | null
   declare timestep: string | Experiment['timestep'] | null
-  declare private askedDuration: unknown
+  declare theme: string | null
   declare private problems: readonly Problem[]
+  readonly #shadow = new Shadow(this)
+  #duration: unknown
+  /** What the page has been told of, or had asked for itself at first. */
+  #known: string | undefined
 
   constructor() {
     super()
     this.problems = []
+    // Vue takes `compact` alone for true only where it finds a boolean.
+    this.compact = false
     this.playback.watch(this, 'write', () => {
-      this.tell('timeupdate', { time: this.playback.time })
+      this.#tell('timeupdate', { time: this.playback.time })
     })
   }
 
-  /** How long each run lasts [s]. */
   override get duration(): number {
     return super.duration
   }
 
   override set duration(value: number) {
-    this.askedDuration = value
+    const before = this.#duration
+    this.#duration = value
+    this.requestUpdate('duration', before)
   }
 
-  /** What is run now, one for each block: as it was asked for, and as readers changed it. */
   get experiments(): readonly Experiment[] {
-    return this.state.runners.map((runner) => experimentOf(this.state, runner))
+    return experimentsOf(this.state)
   }
 
   override connectedCallback(): void {
     super.connectedCallback()
-    // What its root has, see rootIn.
+    // What its root has.
     this.removeAttribute('tabindex')
   }
 
-  override createRenderRoot() {
-    return rootIn(this)
+  override createRenderRoot(): HTMLElement {
+    return this.#shadow.root
   }
 
   override focus(options?: FocusOptions): void {
-    ;(this.renderRoot as HTMLElement).focus(options)
+    this.#shadow.root.focus(options)
   }
 
   override willUpdate(changed: PropertyValues): void {
-    if (!asking.some((name) => changed.has(name)) && !changed.has('askedDuration')) return
+    if (!asking.some((name) => changed.has(name))) return
     try {
-      this.open(stateAsked({ ...this.asked(), duration: this.askedDuration }), '')
+      const state = stateAsked({
+        ...Object.fromEntries(asking.map((name) => [name, this[name]])),
+        duration: this.#duration,
+      })
+      // What is there already stays, with all that readers have done to it.
+      if (JSON.stringify(experimentsOf(state)) !== JSON.stringify(this.experiments))
+        this.open(state, '')
       this.problems = []
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
@@ -77,19 +158,19 @@ export class SlideLabElement extends SlideLab {
 
   override updated(changed: PropertyValues): void {
     super.updated(changed)
-    ;(this.renderRoot as HTMLElement).toggleAttribute('compact', this.compact)
-    if (changed.get('simulated')) this.tell('change', { experiments: this.experiments })
+    this.#shadow.root.toggleAttribute('compact', this.compact)
+    if (changed.has('simulated')) this.#tellChange()
     const { problems } = this
     if (changed.has('problems') && problems.length > 0)
-      this.tell('error', { message: new ExperimentError(problems).message, problems })
+      this.#tell('error', { message: new ExperimentError(problems).message, problems })
   }
 
   override render() {
     const { problems } = this
     const lines = problems.length > 0 ? new ExperimentError(problems).message.split('\n') : []
     return html`${
-      problems.length > 0
-        ? html`<div class="link-problems" role="alert">
+      lines.length > 0
+        ? html`<div class="link-problems" part="message" role="alert">
             <p>The page asks this lab for something that can’t be run, so it stays as it was.</p>
             <ul>
               ${lines.map((line) => html`<li>${line}</li>`)}
@@ -99,11 +180,19 @@ export class SlideLabElement extends SlideLab {
     }${super.render()}`
   }
 
-  private asked() {
-    return Object.fromEntries(asking.map((name) => [name, this[name]]))
+  #tellChange(): void {
+    const { experiments } = this
+    const now = JSON.stringify(experiments)
+    const before = this.#known
+    this.#known = now
+    if (before !== undefined && before !== now) this.#tell('change', { experiments })
   }
 
-  private tell(type: string, detail: object): void {
+  #tell(type: string, detail: object): void {
     this.dispatchEvent(new CustomEvent(type, { detail }))
   }
+}
+
+function experimentsOf(state: LabState): readonly Experiment[] {
+  return state.runners.map((runner) => experimentOf(state, runner))
 }

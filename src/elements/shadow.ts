@@ -1,41 +1,44 @@
-import css from '../styles/elements.css?inline'
-
-/** What the page says of its own text ends at the root; a caption is the page's. */
-const host = `
-:host { display: block }
-:host([hidden]) { display: none }
-slide-lab-root, slide-figure-root { all: initial; display: block; color-scheme: inherit; color: var(--ink) }
-slot { display: block; color-scheme: normal }
-`
-
-let sheet: CSSStyleSheet | undefined
+import type { ReactiveController, ReactiveControllerHost } from 'lit'
+import { themeChanged } from '../figure/theme.ts'
+import { styles } from './styles.ts'
 
 /**
- * Gives an element a shadow root with all styles, so that the page around it and it leave each other alone, and in it a
- * root to render into. It has the element's name with `-root` in the styles' selectors, and takes the focus in its
- * place: a shadow host that can have the focus itself, but not by Tab, would keep Tab from all that is in it.
+ * The shadow root of an element, which lets the page around it and it leave each other alone. In it is a root to render
+ * into, with the element's name and `-root`; it takes the focus in the element's place: a shadow host that can have the
+ * focus itself, but not by Tab, would keep Tab from all that is in it. Below it is the page's caption.
+ *
+ * The element is dark where the page is: as the browser draws its own buttons there, by the CSS property `color-scheme`.
  */
-export function rootIn(element: HTMLElement): HTMLElement {
-  const root = document.createElement(`${element.localName}-root`)
-  root.tabIndex = -1
-  const caption = document.createElement('slot')
-  caption.name = 'caption'
-  const shadow = element.attachShadow({ mode: 'open' })
-  shadow.adoptedStyleSheets = [(sheet ??= styles())]
-  shadow.append(root, caption)
-  return root
-}
+export class Shadow implements ReactiveController {
+  readonly root: HTMLElement
+  private readonly caption = document.createElement('slot')
+  private readonly states: CustomStateSet
 
-function styles(): CSSStyleSheet {
-  const made = new CSSStyleSheet()
-  made.replaceSync(host + inShadow(css))
-  return made
-}
+  constructor(host: ReactiveControllerHost & HTMLElement) {
+    this.states = host.attachInternals().states
+    this.root = document.createElement(`${host.localName}-root`)
+    this.root.tabIndex = -1
+    const edge = document.createElement('div')
+    edge.className = 'edge'
+    // Whatever the page's language is.
+    edge.lang = 'en'
+    edge.append(this.root)
+    this.caption.name = 'caption'
+    // See styles.ts: a property that shows the colour scheme, and says so when it changes.
+    this.caption.addEventListener('transitionrun', ({ target }) => {
+      if (target !== this.caption) return
+      this.hostConnected()
+      themeChanged()
+    })
+    const shadow = host.attachShadow({ mode: 'open' })
+    shadow.adoptedStyleSheets = [styles()]
+    shadow.append(edge, this.caption)
+    host.addController(this)
+  }
 
-/** The page's styles with selectors that say the same inside a shadow root. */
-function inShadow(text: string): string {
-  return text
-    .replace(/\bslide-(lab|figure)\b(?!-)(?!:not\(:defined)/g, 'slide-$1-root')
-    .replace(/:root(:not\(\[[^\]]*\]\))?/g, (_, not?: string) => (not ? `:host(${not})` : ':host'))
-    .replace(/(^|[},])\s*(\[data-theme=[^\]]*\])/g, '$1:host($2)')
+  hostConnected(): void {
+    const isDark = getComputedStyle(this.caption).columnRuleColor === 'rgb(255, 255, 255)'
+    if (isDark) this.states.add('dark')
+    else this.states.delete('dark')
+  }
 }

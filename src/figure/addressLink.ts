@@ -6,6 +6,7 @@ import type { LabState } from './state.ts'
 
 /** What keeps its state in the page's address. */
 interface Linked extends ReactiveControllerHost {
+  readonly state: LabState
   /** Takes over what an address said, or the opening and what was wrong with the address. */
   open(state: LabState, problem: string): void
 }
@@ -25,7 +26,12 @@ export class AddressLink implements ReactiveController {
   }
 
   hostConnected(): void {
-    this.read()
+    if (location.hash.includes('=')) this.read()
+    else {
+      // It may have been changed before it was linked.
+      this.address = writeAddress(this.host.state)
+      if (this.address) this.replace()
+    }
     addEventListener('hashchange', this.read)
   }
 

@@ -1,9 +1,11 @@
 import { AsyncDirective, directive } from 'lit/async-directive.js'
 import type { AttributePart, ChildPart, PropertyPart } from 'lit'
+import type { Deed } from './onlookers.ts'
 import type { Playback } from './playback.ts'
 
 /** One place in a template whose value follows the cursor on time, without anything else being rendered. */
 class AtNow extends AsyncDirective {
+  protected readonly deed: Deed = 'write'
   private playback: Playback | undefined
   private of: ((time: number) => unknown) | undefined
   private shown: unknown
@@ -29,7 +31,7 @@ class AtNow extends AsyncDirective {
   }
 
   protected override reconnected(): void {
-    this.stop = this.playback!.watch(this.element!, 'write', this.follow)
+    this.stop = this.playback!.watch(this.element!, this.deed, this.follow)
   }
 
   protected override disconnected(): void {
@@ -44,5 +46,13 @@ class AtNow extends AsyncDirective {
   }
 }
 
-/** What a function makes of the instant that a playback shows [s], always up to date while it can be seen. */
+/** For what moves rather than changes: it follows at every frame, and all else a few times a second. */
+class MovedAtNow extends AtNow {
+  protected override readonly deed = 'move'
+}
+
+/** What a function makes of the instant that a playback shows [s], to be read; up to date while it can be seen. */
 export const atNow = directive(AtNow)
+
+/** The same for what would be seen to move by jerks. */
+export const movedAtNow = directive(MovedAtNow)

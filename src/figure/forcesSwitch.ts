@@ -1,5 +1,5 @@
 import type { ReactiveControllerHost } from 'lit'
-import type { Picture } from '../view/picture.ts'
+import type { PictureForces } from '../view/picture.ts'
 import { forcesPanel } from './forcesPanel.ts'
 import { pictureForces } from './forcesPicture.ts'
 import type { LabView } from './labView.ts'
@@ -10,14 +10,9 @@ export class ForcesSwitch {
 
   constructor(private readonly lab: LabView & ReactiveControllerHost) {}
 
-  /** What the picture shows of the selected runner. */
-  picture(): Pick<Picture, 'selected' | 'forces'> {
-    const { simulated, selected } = this.lab
-    const index = simulated.visible.indexOf(simulated.runners[selected]!)
-    return {
-      selected: index < 0 ? undefined : index,
-      forces: this.shown ? pictureForces(this.lab) : undefined,
-    }
+  /** Those of the selected runner, for the picture. */
+  vectors(): PictureForces | undefined {
+    return this.shown ? pictureForces(this.lab) : undefined
   }
 
   /** The switch, and the legend of the forces. */

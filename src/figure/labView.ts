@@ -15,6 +15,8 @@ export interface LabView {
   readonly change: (change: Change) => string
   /** Undo and redo. */
   readonly past: Past
+  /** All that there are; none until they are loaded. */
+  readonly presets: readonly Preset[]
   /** The preset that it came from, until its note is closed. */
   readonly preset: Preset | undefined
   readonly load: (preset: Preset) => void

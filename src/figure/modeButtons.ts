@@ -5,7 +5,7 @@ import { aboutOf, modeOf, modes } from './modes.ts'
 /** The buttons that set all runners at once, and what the one that is pressed does. */
 export function modeButtons({ simulated, change }: LabView) {
   const mode = modeOf(simulated.state)
-  return html`<div class="modes">
+  return html`<div class="modes" part="modes">
     <div class="segments" role="group" aria-label="All runners at once">
       ${modes.map(
         ({ id, label }) =>

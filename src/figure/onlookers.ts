@@ -1,27 +1,30 @@
 import { onSight } from './sight.ts'
 
-/** An element, and what is to be done for it when the instant has moved. */
+/**
+ * What is done when the instant has moved, in this order: drawing on a canvas, moving a part of the page, writing. A font
+ * that is set on a canvas after the page was changed has the browser work out all of its styles.
+ */
+const deeds = ['draw', 'move', 'write'] as const
+export type Deed = (typeof deeds)[number]
+
+/** An element, and what is to be done for it. */
 interface Onlooker {
-  readonly draw: Set<() => void>
-  readonly write: Set<() => void>
+  readonly does: Readonly<Record<Deed, Set<() => void>>>
   seen: boolean
   stopWatching: () => void
 }
 
-/**
- * What follows a moving instant: each told of it as long as its element can be seen. Those that draw on a canvas come
- * before those that write to the page: a font that is set on a canvas after that has the browser work out all styles.
- */
+/** What follows a moving instant: each told of it as long as its element can be seen. */
 export class Onlookers {
   private readonly all = new Map<Element, Onlooker>()
 
   /** Returns its undoing. */
-  add(element: Element, does: 'draw' | 'write', listener: () => void): () => void {
+  add(element: Element, deed: Deed, listener: () => void): () => void {
     const known = this.all.get(element) ?? this.newcomer(element)
-    known[does].add(listener)
+    known.does[deed].add(listener)
     return () => {
-      known[does].delete(listener)
-      if (known.draw.size + known.write.size > 0) return
+      known.does[deed].delete(listener)
+      if (deeds.some((each) => known.does[each].size > 0)) return
       this.all.delete(element)
       known.stopWatching()
     }
@@ -29,17 +32,20 @@ export class Onlookers {
 
   private newcomer(element: Element): Onlooker {
     const newcomer: Onlooker = {
-      ...{ draw: new Set(), write: new Set(), seen: false },
+      does: { draw: new Set(), move: new Set(), write: new Set() },
+      seen: false,
       stopWatching: onSight(element, (isSeen) => (newcomer.seen = isSeen)),
     }
     this.all.set(element, newcomer)
     return newcomer
   }
 
-  /** Those that can be seen, or `everyone`. */
-  tell(everyone: boolean): void {
-    for (const does of ['draw', 'write'] as const)
+  /** Tells everyone, or those that can be `seen`: of the instant, or only what is to be done `eachFrame`. */
+  tell({ seen, eachFrame }: { readonly seen: boolean; readonly eachFrame: boolean }): void {
+    for (const deed of deeds) {
+      if (eachFrame && deed === 'write') return
       for (const each of this.all.values())
-        if (each.seen || everyone) for (const listener of each[does]) listener()
+        if (each.seen || !seen) for (const listener of each.does[deed]) listener()
+    }
   }
 }

@@ -18,9 +18,9 @@ const durationQuantity: Quantity = {
 export function parametersPanel({ simulated: { state, scene }, change }: LabView) {
   const start = openingOf(state.scene)
   const rows = Math.ceil((Object.keys(scene.parameters).length + 1) / 2)
-  return html`<section class="parameters">
+  return html`<section class="parameters" part="parameters">
     <h2>${scene.label}</h2>
-    <div class="quantities" style="--rows: ${rows}">
+    <div class="quantities" .style="--rows: ${rows}">
       ${repeat(
         Object.entries(scene.parameters),
         ([name]) => `${scene.id} ${name}`,

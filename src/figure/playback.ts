@@ -2,6 +2,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import type { Trajectory } from '../physics/index.ts'
 import { rowAt } from '../view/timeline.ts'
 import { Onlookers } from './onlookers.ts'
+import type { Deed } from './onlookers.ts'
 import { onSight } from './sight.ts'
 
 /** What playback moves through. */
@@ -15,6 +16,12 @@ interface Recording extends ReactiveControllerHost, HTMLElement {
 const LONGEST_FRAME = 0.1
 
 /**
+ * While it plays, so long lies between two writings of what is read [ms]: nobody reads figures that change faster, and to
+ * lay out and paint text costs more than all that moves.
+ */
+const WRITING = 95
+
+/**
  * A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. Where it is
  * goes to those who watch it; its host is only updated when it begins or ceases to play.
  */
@@ -26,6 +33,7 @@ export class Playback implements ReactiveController {
   private seen = false
   private request = 0
   private before = 0
+  private written = 0
   private readonly host: Recording
   private readonly onlookers = new Onlookers()
   private stopWatching = () => {}
@@ -53,9 +61,12 @@ export class Playback implements ReactiveController {
     return Math.min(this.cursor, this.host.duration)
   }
 
-  /** Calls back whenever the cursor has moved; while it plays only if the element can be seen. Returns its undoing. */
-  watch(element: Element, does: 'draw' | 'write', listener: () => void): () => void {
-    return this.onlookers.add(element, does, listener)
+  /**
+   * Calls back whenever the cursor has moved; while it plays only if the element can be seen, and to `write` only a few
+   * times a second. Returns its undoing.
+   */
+  watch(element: Element, deed: Deed, listener: () => void): () => void {
+    return this.onlookers.add(element, deed, listener)
   }
 
   toggle(): void {
@@ -75,7 +86,7 @@ export class Playback implements ReactiveController {
     if (this.playing) this.host.requestUpdate()
     this.playing = false
     this.schedule()
-    this.onlookers.tell(true)
+    this.onlookers.tell({ seen: false, eachFrame: false })
   }
 
   /** Goes to an instant [s] and stays there. */
@@ -114,6 +125,7 @@ export class Playback implements ReactiveController {
     const wanted = this.playing && this.seen
     if (wanted && this.request === 0) {
       this.before = NaN
+      this.written = -Infinity
       this.request = requestAnimationFrame(this.tick)
     } else if (!wanted && this.request !== 0) {
       cancelAnimationFrame(this.request)
@@ -126,7 +138,9 @@ export class Playback implements ReactiveController {
     this.before = now
     this.request = requestAnimationFrame(this.tick)
     this.cursor = this.time + this.speed * passed
-    if (this.cursor >= this.host.duration) this.toEnd()
-    else this.onlookers.tell(false)
+    if (this.cursor >= this.host.duration) return this.toEnd()
+    const isDue = now - this.written >= WRITING
+    if (isDue) this.written = now
+    this.onlookers.tell({ seen: true, eachFrame: !isDue })
   }
 }

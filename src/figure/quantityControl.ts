@@ -74,7 +74,7 @@ export class QuantityControl extends LitElement {
         ${full ? html`<span class="symbol" aria-hidden="true">${typeset(symbol)}</span>` : nothing}
       </label>
       ${full ? this.slider() : nothing}
-      <span class="field" data-unit=${unit} style="--digits: ${wide}">
+      <span class="field" data-unit=${unit} .style="--digits: ${wide}">
         <input
           id=${this.inputId}
           type="text"
@@ -116,7 +116,7 @@ export class QuantityControl extends LitElement {
       min=${slider.from}
       max=${slider.to}
       step=${slider.step}
-      style="--filled: ${Math.min(1, Math.max(0, share))}"
+      .style="--filled: ${Math.min(1, Math.max(0, share))}"
       .value=${live(String(this.value))}
       @input=${(event: InputEvent) => this.offer((event.target as HTMLInputElement).valueAsNumber)}
     />`

@@ -24,7 +24,7 @@ export class RunnerMark extends LitElement {
     return html`<svg aria-hidden="true" viewBox="-1.25 -1.25 2.5 2.5">
       <path
         d=${markText(look)}
-        style="fill: ${hollow ? 'none' : colour}; stroke: ${hollow ? colour : 'none'}"
+        .style="fill: ${hollow ? 'none' : colour}; stroke: ${hollow ? colour : 'none'}"
       ></path>
     </svg>`
   }

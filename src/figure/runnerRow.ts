@@ -57,7 +57,7 @@ export class RunnerRow extends LitElement {
         role="group"
         aria-label=${name}
         ?data-hidden=${state.hidden}
-        style="--colour: var(--runner-${state.look})"
+        .style="--colour: var(--runner-${state.look})"
         @focusin=${this.select}
         @pointerdown=${this.select}
         @change=${this.select}

@@ -13,7 +13,7 @@ const headings = [
 /** A row for each runner, and what the choices of the selected one mean. */
 export function runnersTable(lab: LabView) {
   const { runners } = lab.simulated
-  return html`<section class="runners">
+  return html`<section class="runners" part="runners">
     <h2>Runners</h2>
     <div class="runner headings" aria-hidden="true">
       ${headings.map((heading) => html`<span>${heading}</span>`)}
@@ -55,7 +55,7 @@ function notes({ simulated, selected }: LabView) {
   const runner = simulated.runners[selected]
   if (!runner) return ''
   const { integrator, stopping, timestep, frames } = runner.state
-  return html`<dl class="notes" style="--colour: var(--runner-${runner.state.look})">
+  return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.look})">
     ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
     ${note(frameClocks, frames.kind)}
   </dl>`

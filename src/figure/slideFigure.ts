@@ -1,4 +1,5 @@
 import { LitElement } from 'lit'
+import type { PropertyValues } from 'lit'
 import { simulate } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import type { Values } from './figures/control.ts'
@@ -90,6 +91,14 @@ export class SlideFigure extends LitElement {
     })
   }
 
+  /** If it has come near, it comes alive again: as what it is called by now. */
+  protected wakeAnew(): void {
+    if (!this.waking) return
+    this.waking = undefined
+    this.asked = {}
+    void this.wake()
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback()
     this.stopWatching()
@@ -100,7 +109,7 @@ export class SlideFigure extends LitElement {
     return this
   }
 
-  override shouldUpdate(): boolean {
+  override shouldUpdate(_changed: PropertyValues): boolean {
     return this.live !== undefined
   }
 
@@ -119,19 +128,24 @@ export class SlideFigure extends LitElement {
 
   protected async comeAlive(): Promise<void> {
     const entry = figures.find(({ id }) => id === this.name)
-    if (!entry) throw new RangeError(`There is no figure “${this.name}”.`)
+    if (!entry) {
+      const known = figures.map(({ id }) => id).join(', ')
+      throw new RangeError(`There is no figure “${this.name ?? ''}”. There are: ${known}.`)
+    }
     const [{ live }, figure] = await Promise.all([import('./slideFigure/live.ts'), entry.load()])
     this.guest = await live.guest(figure)
+    if (this.name !== entry.id) return
     const asked = this.asked
     this.figure = figure
     this.live = live
-    this.style.cssText = live.frameOf(figure)
+    const root = this.renderRoot as HTMLElement
+    root.style.cssText = live.frameOf(figure)
     this.role = 'group'
     this.ariaLabel = figure.title
     this.show(live.initialValues(figure.controls))
     if (figure.opensAtStart) this.playback.toStart()
     // The still goes in the same turn in which the live picture comes.
-    this.replaceChildren()
+    if (!this.hasUpdated) root.replaceChildren()
     this.toggleAttribute('live', true)
     if (Object.keys(asked).length > 0) this.set(asked)
   }

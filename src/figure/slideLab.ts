@@ -2,27 +2,22 @@ import { html, LitElement, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
-import { AddressLink } from './addressLink.ts'
-import { atNow } from './atNow.ts'
+import type { AddressLink } from './addressLink.ts'
 import { burstOf } from './burst.ts'
-import { ForcesSwitch } from './forcesSwitch.ts'
 import { freshId } from './freshId.ts'
-import { Glide } from './glide.ts'
 import type { LabView } from './labView.ts'
-import { stepInspector } from './inspector/stepInspector.ts'
+import { EarlyPress } from './later/earlyPress.ts'
+import type { Later } from './later/later.ts'
 import { linkProblems } from './linkProblems.ts'
 import { modeButtons } from './modeButtons.ts'
 import { opening } from './opening.ts'
 import { refusal } from './refusal.ts'
-import { parametersPanel } from './parametersPanel.ts'
 import { Past } from './past.ts'
 import type { Moment } from './past.ts'
 import { Playback } from './playback.ts'
 import type { Preset } from './presets/preset.ts'
 import { presetNote } from './presets/presetNote.ts'
-import { runnersTable } from './runnersTable.ts'
 import { sceneTabs } from './sceneTabs.ts'
-import { openInLab } from './share/openInLab.ts'
 import { shortcut } from './shortcuts.ts'
 import { Simulation } from './simulation.ts'
 import type { Simulated } from './simulation.ts'
@@ -54,6 +49,7 @@ export class SlideLab extends LitElement implements LabView {
     selected: { state: true },
     linkProblem: { state: true },
     spoken: { state: true },
+    later: { state: true },
   }
 
   declare compact: boolean
@@ -63,13 +59,15 @@ export class SlideLab extends LitElement implements LabView {
   declare private linkProblem: string
   /** The picture in words, as it was when it last came to rest. */
   declare private spoken: string
+  /** Undefined until it is loaded. */
+  declare private later: Later | undefined
   readonly playback = new Playback(this)
   readonly past = new Past(this)
-  private readonly glide = new Glide(this)
-  private readonly forces = new ForcesSwitch(this)
+  private readonly earlyPress = new EarlyPress(this)
   private readonly simulation = new Simulation()
   private readonly sceneName = freshId('scene')
   private address: AddressLink | undefined
+  private loading: Promise<void> | undefined
   private timer: ReturnType<typeof setTimeout> | undefined
 
   constructor() {
@@ -87,10 +85,14 @@ export class SlideLab extends LitElement implements LabView {
   }
 
   set state(state: LabState) {
-    this.glide.end()
+    this.later?.glide.end()
     this.preset = undefined
     this.simulated = this.simulation.run(state)
     this.selected = Math.min(this.selected, state.runners.length - 1)
+  }
+
+  get presets(): readonly Preset[] {
+    return this.later?.presets ?? []
   }
 
   get trajectories(): readonly Trajectory[] {
@@ -109,7 +111,6 @@ export class SlideLab extends LitElement implements LabView {
     super.connectedCallback()
     // A click anywhere in it gives it the focus, and with it the keys.
     this.tabIndex = -1
-    if (this.hasAttribute('linked')) this.address ??= new AddressLink(this)
   }
 
   override createRenderRoot(): HTMLElement {
@@ -131,7 +132,7 @@ export class SlideLab extends LitElement implements LabView {
 
   readonly change = (change: Change): string => {
     const before = this.moment
-    const drawn = this.recorded.map((trajectory, i) => this.glide.drawn(trajectory, i))
+    const drawn = this.recorded.map(this.drawn)
     const preset = change.kind === 'scene' ? undefined : this.preset
     try {
       this.restore({ state: changed(this.state, change), preset, problem: '' })
@@ -141,7 +142,7 @@ export class SlideLab extends LitElement implements LabView {
     }
     this.past.add(before, this.moment, burstOf(change))
     if (change.kind === 'scene') this.playback.toEnd()
-    if (change.kind === 'mode') this.glide.begin(drawn, this.recorded)
+    if (change.kind === 'mode') this.later?.glide.begin(drawn, this.recorded)
     return ''
   }
 
@@ -173,8 +174,38 @@ export class SlideLab extends LitElement implements LabView {
     this.linkProblem = problem
   }
 
-  override updated(_changed: PropertyValues): void {
+  protected override async scheduleUpdate(): Promise<void> {
+    // An address that it begins with is read before anything is shown.
+    if (!this.hasUpdated && location.hash.includes('=')) await this.link()
+    await super.scheduleUpdate()
+  }
+
+  override updated(changed: PropertyValues): void {
     this.tellLater()
+    if (changed.has('compact') || !this.loading) this.loading = this.bring(this.compact)
+  }
+
+  /** A run as it is drawn, by its place among those that are visible. */
+  private readonly drawn = (trajectory: Trajectory, i: number): Trajectory =>
+    this.later?.glide.drawn(trajectory, i) ?? trajectory
+
+  private async link(): Promise<void> {
+    if (!this.hasAttribute('linked')) return
+    const { AddressLink } = await import('./addressLink.ts')
+    this.address ??= new AddressLink(this)
+  }
+
+  /** The rest of the lab, as soon as its picture is there. */
+  private async bring(isCompact: boolean): Promise<void> {
+    const make = isCompact
+      ? (await import('./later/compact.ts')).compact
+      : (await import('./later/instruments.ts')).instruments
+    await this.link()
+    if (isCompact !== this.compact) return
+    this.later?.glide.end()
+    this.later = make(this)
+    await this.updateComplete
+    this.earlyPress.repeat()
   }
 
   private readonly tellLater = (): void => {
@@ -185,19 +216,21 @@ export class SlideLab extends LitElement implements LabView {
   }
 
   override render() {
-    const { simulated, playback, compact } = this
+    const { simulated, playback, compact, later } = this
     const { scene, exact, visible, state } = simulated
     const runners = visible.map(({ trajectory, name, state: { look } }, i) => ({
-      trajectory: this.glide.drawn(trajectory, i),
+      trajectory: this.drawn(trajectory, i),
       goal: trajectory,
       name,
       look,
     }))
+    const index = visible.indexOf(simulated.runners[this.selected]!)
+    const selected = index < 0 ? undefined : index
     const { parameters, duration } = state
-    const still = { scene, parameters, duration, runners, exact }
+    const still = { scene, parameters, duration, runners, exact, selected }
     return html`
       ${linkProblems(this.linkProblem)}
-      <div class="sheet">
+      <div class="sheet" part="sheet">
         ${
           compact
             ? nothing
@@ -206,28 +239,16 @@ export class SlideLab extends LitElement implements LabView {
         <div class="opening">${modeButtons(this)} ${spreadFigure(this)}</div>
         ${presetNote(this)}
         <slide-stage
+          part="stage"
           .playback=${playback}
-          .picture=${(time: number) => ({ ...still, time, ...this.forces.picture() })}
+          .picture=${(time: number) => ({ ...still, time, forces: later?.forces?.() })}
           .description=${this.spoken}
           .change=${(values: Readonly<Record<string, number>>) =>
             this.change({ kind: 'parameters', values })}
         ></slide-stage>
-        ${transport(this)} ${compact ? openInLab(state) : this.instruments()}
+        ${transport(this)} ${later?.below() ?? (compact ? nothing : html`<div class="room"></div>`)}
         <p class="visually-hidden" aria-live="polite">${this.spoken}</p>
       </div>
     `
-  }
-
-  private instruments() {
-    const { simulated, playback } = this
-    return html`${this.forces.panel()} ${parametersPanel(this)} ${runnersTable(this)}
-      <lab-plots
-        .simulated=${simulated}
-        .time=${atNow(playback, (time) => time)}
-        .selected=${this.selected}
-        .seek=${(time: number) => playback.seek(time)}
-      ></lab-plots>
-      <lab-measures .simulated=${simulated} .selected=${this.selected} .lab=${this}></lab-measures>
-      ${stepInspector(this)}`
   }
 }

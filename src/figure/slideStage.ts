@@ -1,5 +1,4 @@
-import { html, LitElement } from 'lit'
-import { repeat } from 'lit/directives/repeat.js'
+import { html, LitElement, nothing } from 'lit'
 import type { NumberOption } from '../physics/index.ts'
 import type { Handle, HandleId, Picture } from '../view/picture.ts'
 import { Stage } from '../view/stage.ts'
@@ -85,11 +84,12 @@ export class SlideStage extends LitElement {
 
   override render() {
     const picture = this.picture(this.playback.time)
-    return html`${this.canvas}${repeat(
-      this.stage.handles,
-      ({ id }) => id,
-      (handle) => this.target(handle, picture),
-    )}`
+    const { handles } = this.stage
+    // Each in a place of its own, so that one under a finger stays the element that it is.
+    return html`${this.canvas}${(Object.keys(purposes) as HandleId[]).map((id) => {
+      const handle = handles.find((each) => each.id === id)
+      return handle ? this.target(handle, picture) : nothing
+    })}`
   }
 
   private target(handle: Handle, { scene, parameters }: Pick<Picture, 'scene' | 'parameters'>) {
@@ -102,7 +102,7 @@ export class SlideStage extends LitElement {
       role="slider"
       tabindex="0"
       data-handle=${id}
-      style="left: ${x}px; top: ${y}px"
+      .style="left: ${x}px; top: ${y}px"
       aria-label="${purposes[id]}: ${option.label.toLowerCase()}"
       aria-valuemin=${Math.min(from, value)}
       aria-valuemax=${Math.max(to, value)}

@@ -7,12 +7,12 @@ import type { LabView } from './labView.ts'
 export function spreadFigure({ simulated: { spread, visible } }: LabView) {
   // One block alone is apart from nothing.
   if (visible.length < 2)
-    return html`<p class="spread">
+    return html`<p class="spread" part="spread">
       <span>frame-rate spread</span>
       <output title="It takes two visible runners to be apart.">–</output>
     </p>`
   const [figure, remark] = lengthText(spread).split(/ (?=\()/)
-  return html`<p class="spread">
+  return html`<p class="spread" part="spread">
     <span>frame-rate spread</span>
     <output title="Largest − smallest final position: ${raw(spread)} m"
       >${figure} ${remark ? html`<small>${remark}</small>` : ''}</output

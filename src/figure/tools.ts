@@ -9,7 +9,9 @@ export function tools(lab: LabView) {
   return html`<div class="tools" role="group" aria-label="Lab">
     ${button('undo', 'Undo (Ctrl+Z)', past.canUndo, () => past.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', past.canRedo, () => past.redo())} ${presetMenu(lab)}
-    <share-menu .lab=${lab}></share-menu>
+    <share-menu .lab=${lab}>
+      <button type="button" class="toggle" aria-expanded="false">Share</button>
+    </share-menu>
   </div>`
 }
 

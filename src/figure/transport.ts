@@ -1,4 +1,4 @@
-import { html } from 'lit'
+import { html, noChange } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { fixed } from '../view/numbers.ts'
 import { atNow } from './atNow.ts'
@@ -19,7 +19,8 @@ export function transport({ simulated, playback }: LabView) {
   const { playing } = playback
   const whole = clock(duration, duration)
   const shown = atNow(playback, (time) => clock(time, duration))
-  return html`<div class="transport">
+  const part = (time: number) => (duration > 0 ? time / duration : 1)
+  return html`<div class="transport" part="transport">
     <div class="buttons">
       ${button('start', 'To the start (Home)', () => playback.toStart())}
       ${button('back', 'One frame back (←)', () => playback.stepFrames(-1))}
@@ -43,7 +44,7 @@ export function transport({ simulated, playback }: LabView) {
     >
       ${speeds.map(([, label]) => html`<option>${label}</option>`)}
     </select>
-    <div class="axis">
+    <div class="axis ${playing ? 'moving' : ''}">
       <input
         type="range"
         aria-label="Time"
@@ -51,7 +52,7 @@ export function transport({ simulated, playback }: LabView) {
         min="0"
         max=${duration}
         step="any"
-        style="--filled: ${atNow(playback, (time) => (duration > 0 ? time / duration : 1))}"
+        .style="--filled: ${atNow(playback, (time) => (playback.playing ? noChange : part(time)))}"
         .value=${atNow(playback, (time) => live(String(time)))}
         @input=${(event: Event) => playback.seek((event.target as HTMLInputElement).valueAsNumber)}
       />
@@ -61,7 +62,7 @@ export function transport({ simulated, playback }: LabView) {
         .playback=${playback}
       ></frame-strip>
     </div>
-    <p class="clock"><span style="min-width: ${whole.length}ch">${shown}</span> / ${whole} s</p>
+    <p class="clock"><span .style="width: ${whole.length}ch">${shown}</span> / ${whole} s</p>
   </div>`
 }
 

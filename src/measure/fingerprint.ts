@@ -41,9 +41,9 @@ export function fingerprintExperiments(): Experiment[] {
       for (const { id: integrator } of integrators)
         for (const { id: stopping } of stoppings) {
           const timestep = timesteps[turn % timesteps.length]!
-          // Every fifth turn meets the same policy: the clocks go on by one each time that happens.
-          const clock =
-            frameClocks[(turn + Math.floor(turn / timesteps.length)) % frameClocks.length]!
+          // With each round of the policies the clocks go on by one, so that every pair meets, however many there are.
+          const rounds = Math.floor(turn / timesteps.length)
+          const clock = frameClocks[((turn % timesteps.length) + rounds) % frameClocks.length]!
           experiments.push({
             scene: scene.id,
             parameters: parametersOf(scene, turn),

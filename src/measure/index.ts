@@ -21,7 +21,8 @@ export {
   valueAt,
 } from './rateMap.ts'
 export type { CellKind, MapRequest, MapRow } from './rateMap.ts'
-export { frameRateSpread, spreadOf } from './spread.ts'
+export { frameRateSpread } from './spread.ts'
+export { spreadOf } from './spreadOf.ts'
 export { paperMethod, spreadMethods, spreadTable } from './spreadTable.ts'
 export type { MethodChoice, SpreadRequest, SpreadRow } from './spreadTable.ts'
 export { stabilityLimit, staysBounded } from './stability.ts'

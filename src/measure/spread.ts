@@ -1,5 +1,6 @@
 import { simulate } from '../physics/index.ts'
 import type { Experiment, FramesChoice } from '../physics/index.ts'
+import { spreadOf } from './spreadOf.ts'
 
 /** The frames under which a run must end in the same place to be called framerate-independent. */
 const spreadClocks: readonly FramesChoice[] = [
@@ -7,11 +8,6 @@ const spreadClocks: readonly FramesChoice[] = [
   { kind: 'jitter', fps: 60, amount: 0.9, seed: 1 },
   { kind: 'hitch', fps: 60, every: 0.7, length: 0.5 },
 ]
-
-/** Largest − smallest of some final positions [m]. */
-export function spreadOf(positions: readonly number[]): number {
-  return Math.max(...positions) - Math.min(...positions)
-}
 
 /**
  * The frame-rate spread: how far apart a run ends under different frames, all else equal [m].

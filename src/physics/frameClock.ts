@@ -6,8 +6,6 @@ export interface Frames {
   duration: number
   /** The wall-clock time at the frame's end [s]. */
   time: number
-  /** All frames last equally long; `duration` is known before the first. */
-  readonly even?: true
   next(): void
 }
 

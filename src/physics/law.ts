@@ -1,3 +1,6 @@
+// What starts 1e9 m away and falls at 1e6 m/s² for 1e6 s does not get near it [m].
+export const FAR = 1e24
+
 /** A place on the track and a speed there, and the forces that are felt: what a scene is asked about. */
 export class Contact {
   /** Distance along the track [m] and speed [m/s]. */

@@ -44,7 +44,7 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
     }),
   } as ResolvedExperiment
   if (reader.problems.length === 0) {
-    const conflict = scene?.conflict?.(experiment.parameters)
+    const conflict = scene!.conflict?.(experiment.parameters)
     if (conflict)
       reader.report(
         `parameters.${conflict.parameter}`,

@@ -1,34 +1,18 @@
-import { apart } from './apart.ts'
 import type { ResolvedExperiment } from './experiment.ts'
 import { ExactSum } from './exactSum.ts'
-import type { Integrator } from './integrator.ts'
+import { noteHeat } from './heat.ts'
 import { entry } from './lists.ts'
-import { integrators } from './integrators/index.ts'
-import { Motion } from './motion.ts'
+import type { Motion } from './motion.ts'
 import type { MotionLog } from './motionLog.ts'
-import type { Law } from './law.ts'
-import { scenes } from './scenes/index.ts'
-import { stoppings } from './stopping/index.ts'
-import type { StoppingRule } from './stoppingRule.ts'
+import { Stepper } from './stepper.ts'
+import type { Watch } from './stepper.ts'
 import { timesteps } from './timesteps/index.ts'
 import type { Advance, TimestepPolicy } from './timestepPolicy.ts'
-import type { Scene } from './scene.ts'
-
-// Few enough that an integrator is called often: an engine that has to replace the code of a loop while it runs makes worse code
-// of it, which boxes every number that the loop carries.
-const LONGEST_ROW = 64
 
 /** How a run stands or ended, and since when on the physics clock [s]. */
 export interface Outcome {
   kind: 'moving' | 'at-rest' | 'left-the-track' | 'diverged'
   time: number
-}
-
-/** Puts itself between a run and the parts it is made of, to see what passes; must change nothing. */
-export interface Watch {
-  law(law: Law): Law
-  integrator(integrator: Integrator): Integrator
-  stopping(rule: StoppingRule): StoppingRule
 }
 
 /**
@@ -53,30 +37,20 @@ export class Run {
   /** Steps that the timestep policy asked for. */
   steps = 0
 
+  /** Each frame is one step, and nothing else: frames may be taken in a row. */
+  readonly stepIsFrame: boolean
+
   private outcomeTime = NaN
-  private readonly stepIsFrame: boolean
   private readonly wallClock = new ExactSum()
-  /** What begins a row of steps, and what takes them. */
-  private readonly parts: ((motion: Motion) => void)[]
-  private readonly integrator: Integrator
-  private readonly stopping: StoppingRule
+  private readonly stepper: Stepper
   private readonly advance: Advance
 
   constructor(experiment: ResolvedExperiment, watch?: Watch) {
-    const scene: Scene = entry(scenes, experiment.scene)
-    const { parameters } = experiment
-    const integrator: Integrator = entry(integrators, experiment.integrator)
-    const stopping: StoppingRule = entry(stoppings, experiment.stopping)
-    this.integrator = watch ? watch.integrator(integrator) : setApart(integrator)
-    this.stopping = watch ? watch.stopping(stopping) : stopping
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
     this.advance = timestep.start(experiment.timestep as never)
-    const law = scene.law(parameters)
-    this.motion = new Motion(watch ? watch.law(law) : law, parameters.position!, parameters.speed!)
-    this.motion.accurate = integrator.order > 2
-    this.motion.holdSlip(this.stopping.holdsSlip)
-    this.parts = [watch ? startNone : startRow, integrator.step]
     this.stepIsFrame = timestep.stepIsFrame === true
+    this.stepper = new Stepper(experiment, watch)
+    this.motion = this.stepper.motion
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
@@ -135,8 +109,7 @@ export class Run {
   }
 
   /**
-   * Takes that many steps of `motion.dt` seconds: what a timestep policy calls. Steps in which nothing happens are taken in
-   * a row by the integrator alone; one that meets a stop or a joint is the stopping rule's.
+   * Takes that many steps of `motion.dt` seconds: what a timestep policy calls.
    *
    * @param before of those that `stateTime` does not count yet, how many steps have been taken
    */
@@ -144,76 +117,27 @@ export class Run {
     const { motion } = this
     this.steps += count
     if (!motion.moving) return
-    let left = count
-    while (left > 0 && motion.moving) {
-      left -= this.row(left)
-      if (left === 0) break
-      this.stopping.advance(motion, this.integrator)
-      if (!motion.moving)
-        this.outcomeTime = this.stateTime + (before + count - left) * motion.dt + motion.elapsed
-      left--
-    }
+    const over = this.stepper.steps(count)
+    if (!motion.moving)
+      this.outcomeTime = this.stateTime + (before + over) * motion.dt + motion.elapsed
     this.drawnS = motion.s
   }
 
   /**
-   * Where each frame is one step: moves on by a row of frames of `frameDuration`, that many at the most, as far as none needs
-   * the stopping rule. Returns how many; their states are noted in the log. Whoever calls it sets `time` and `stateTime`.
+   * Where each frame is one step: moves on by a row of frames, that many at the most, as far as none needs the stopping rule.
+   * The log says how long they last and takes their states. Returns how many; whoever calls it sets `time` and `stateTime`.
    */
   frameRow(most: number, log: MotionLog): number {
     const { motion } = this
-    if (!this.stepIsFrame || !motion.moving) return 0
-    const asked = Math.min(most, LONGEST_ROW)
-    log.end = log.rows + asked
-    motion.dt = this.frameDuration
+    if (!motion.moving) return 0
     motion.log = log
-    const taken = this.row(asked)
+    motion.dt = log.lengths[0]!
+    const taken = this.stepper.row(most)
     motion.log = undefined
+    noteHeat(motion, log, taken)
     this.frames += taken
     this.steps += taken
     this.drawnS = motion.s
     return taken
-  }
-
-  /** Takes steps in a row by the integrator alone, that many at the most, until one needs the stopping rule. Returns how many. */
-  private row(most: number): number {
-    const { motion } = this
-    let left = most
-    while (left > 0) {
-      const asked = left < LONGEST_ROW ? left : LONGEST_ROW
-      motion.left = asked
-      const ready = motion.inRow && motion.dt > 0
-      // From a list, since a function that an engine knows to be always the same it would compile in after all.
-      apart(this.parts[ready ? 1 : 0]!, motion)
-      if (ready) {
-        left -= asked - motion.left
-        if (motion.left === 0) continue
-        motion.refuse()
-      }
-      if (!motion.inRow) break
-    }
-    motion.left = 0
-    return most - left
-  }
-}
-
-function startRow(motion: Motion): void {
-  motion.startRow()
-}
-
-/** Whoever watches wants to see each step by itself. */
-function startNone(motion: Motion): void {
-  motion.inRow = false
-}
-
-/** The same integrator, its steps compiled by themselves. */
-function setApart(integrator: Integrator): Integrator {
-  // From a list, since a function that an engine knows to be always the same it would compile in after all.
-  const steps = [integrator.step]
-  return {
-    ...integrator,
-    step: (motion) => {
-      apart(steps[0]!, motion)
-    },
   }
 }

@@ -1,10 +1,11 @@
-import { FAR } from './motion.ts'
+import { addHeat } from './heat.ts'
+import { FAR } from './law.ts'
 import type { Motion } from './motion.ts'
 
 /** Ends a step that a stopping rule accepts: adds the heat that friction made in it, and notices what no real motion comes to. */
 export function settle(motion: Motion): void {
   if (Math.abs(motion.v) <= motion.law.speedLimit && Math.abs(motion.s) <= FAR) {
-    motion.addHeat()
+    addHeat(motion)
     return
   }
   motion.end('diverged')

@@ -5,7 +5,7 @@ import { feltOn } from './law.ts'
 import type { Contact, Law } from './law.ts'
 import type { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
-import type { Watch } from './run.ts'
+import type { Watch } from './stepper.ts'
 import type { State } from './scene.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
@@ -159,7 +159,7 @@ class Watcher implements Watch {
       to: stateOf(motion),
       slip,
       // Only a method that uses it again leaves one.
-      reused: motion.known && !Number.isNaN(motion.a) ? motion.a : undefined,
+      reused: motion.known === 1 && !Number.isNaN(motion.a) ? motion.a : undefined,
       evaluations: [],
     }
     this.evaluations = tried.evaluations

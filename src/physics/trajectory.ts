@@ -1,5 +1,4 @@
 import type { ResolvedExperiment } from './experiment.ts'
-import type { Frames } from './frameClock.ts'
 import type { MotionLog } from './motionLog.ts'
 import type { Outcome, Run } from './run.ts'
 
@@ -31,13 +30,17 @@ export interface Trajectory {
   outcome: Outcome
 }
 
+const NONE = new Float64Array(0)
+
 /** Takes down a run frame by frame. */
 export class Recorder implements MotionLog {
-  rows = 0
-  end = 0
+  /** The last row that is filled. */
+  last = -1
   s: Float64Array
   v: Float64Array
   heat: Float64Array
+  lengths = NONE
+  each = 0
   private time: Float64Array
   private stateTime: Float64Array
   private drawnS: Float64Array
@@ -54,11 +57,11 @@ export class Recorder implements MotionLog {
 
   /** How many rows there is room for. */
   get room(): number {
-    return this.time.length - this.rows
+    return this.time.length - this.last - 1
   }
 
   record(run: Run): void {
-    const row = this.rows++
+    const row = ++this.last
     // Clocks that go by chance run past what is expected of them by little.
     if (row === this.time.length) this.resize(row + (row >> 4) + 16)
     const { motion } = run
@@ -70,23 +73,21 @@ export class Recorder implements MotionLog {
     this.heat[row] = motion.heat
   }
 
-  /** Adds rows of frames whose states the motion has noted: a step each, drawn where it ended. */
-  timeRow(count: number, frames: Frames): void {
-    const { rows, time, stateTime, s, drawnS } = this
-    this.rows = rows + count
-    for (let row = rows; row < this.rows; row++) {
-      frames.next()
-      time[row] = stateTime[row] = frames.time
-      drawnS[row] = s[row]!
-    }
+  /** Adds rows of frames whose states the motion has noted, and which end at these times: a step each, drawn where it ended. */
+  timeRow(times: Float64Array): void {
+    const { last, s } = this
+    this.last = last + times.length
+    this.time.set(times, last + 1)
+    this.stateTime.set(times, last + 1)
+    this.drawnS.set(s.subarray(last + 1, this.last + 1), last + 1)
   }
 
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {
-    this.resize(this.rows)
+    this.resize(this.last + 1)
     const { time, stateTime, s, v, drawnS, heat } = this
     const { steps, evaluations, lostTime, outcome } = run
     const { unsolved } = run.motion
-    const frames = this.rows - 1
+    const frames = this.last
     return {
       experiment,
       frames,

@@ -10,7 +10,7 @@ export const ours = [
     id: 'located',
     label: 'This project',
     setup:
-      'velocity Verlet, located stops. Errors with a step a frame; time of a step with 60 of them in a frame of a second.',
+      'velocity Verlet, located stops. Errors with a step a frame; time of a step with 60 of them in a call of `run.frame`, as a game with substeps or a replay calls it.',
     method: { integrator: 'velocity-verlet', stopping: 'located' },
   },
   {
@@ -25,7 +25,8 @@ export const ours = [
 export const frameByFrame = {
   id: 'frame-by-frame',
   label: 'This project, frame by frame',
-  setup: 'the same, with a call of `run.frame` for each step.',
+  setup:
+    'the same, with a call of `run.frame` for each step, as a game with a step a frame calls it.',
 } as const
 
 /** Everybody in the report, with the version that is installed. */

@@ -10,7 +10,7 @@ import { peers } from './peers/index.ts'
 import { peerClocks, peerScenes } from './peers/scenes.ts'
 import type { Frontier, Report, WorkCurve } from './schema.ts'
 import { stepTimes } from './steps.ts'
-import { targets, worthProfiling } from './targets.ts'
+import { targets, worthProfiling, worthTakingApart } from './targets.ts'
 import type { Care } from './timing/rounds.ts'
 
 /** Said while it goes on. */
@@ -125,6 +125,11 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
   for (const given of quick ? [] : worthProfiling(measured.steps, checked)) {
     const what = `profile: ${given.scene}, ${given.integrator}, ${given.mixed ? 'mixed' : 'alone'}`
     const profile = await attempt(what, 'profile', given)
+    if (profile) profiles.push(profile)
+  }
+  for (const { task, profiled } of quick ? [] : worthTakingApart(measured.steps, checked)) {
+    const what = `parts: ${profiled.scene}, ${profiled.integrator}, ${task}`
+    const profile = await attempt(what, task, { ...profiled, care })
     if (profile) profiles.push(profile)
   }
   return { ...measured, targets: checked, profiles, notRun }

@@ -45,6 +45,18 @@ export function steppingWork(trial: Trial, integrator: IntegratorId, many = 1): 
   }
 }
 
+/** `simulate` on a trial, which records every step as a frame. */
+export function recordingWork(trial: Trial, integrator: IntegratorId): Work {
+  const experiment = inFrames(trial, integrator)
+  return {
+    units: trial.steps,
+    run: () => {
+      const { s } = simulate(experiment)
+      return s[s.length - 1]!
+    },
+  }
+}
+
 /** Times one scene with one method, in a process that does nothing else. */
 export function timeAlone(scene: string, integrator: string, care: Care): TrialTimes[] {
   return timeTrials(
@@ -86,13 +98,7 @@ function timeTrials(loops: readonly BareLoop[], care: Care): TrialTimes[] {
       run: () => loop.run(trial.parameters, 1 / trial.fps, trial.steps),
     },
     steppingWork(trial, loop.integrator),
-    {
-      units: trial.steps,
-      run: () => {
-        const { s } = simulate(inFrames(trial, loop.integrator))
-        return s[s.length - 1]!
-      },
-    },
+    recordingWork(trial, loop.integrator),
   ])
   const times = timeRounds(works, care)
   return trials.map(({ loop, trial }, i) => {

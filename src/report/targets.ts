@@ -93,6 +93,25 @@ export function worthProfiling(steps: readonly StepTime[], checked: readonly Tar
   return found
 }
 
+/** What to take apart: the worst recording, and a call a step on the ramp, where these missed. */
+export function worthTakingApart(
+  steps: readonly StepTime[],
+  checked: readonly Target[],
+): { task: 'recordingParts' | 'frameParts'; profiled: Profiled }[] {
+  const missed = (id: string) => checked.some((each) => each.id === id && !each.met)
+  const [worstRecorded] = steps
+    .filter(({ trial }) => trial === 'moves')
+    .sort((a, b) => b.ratios.recorded - a.ratios.recorded)
+  const [onRamp] = rampSteps(steps)
+  return [
+    ...(missed('recorded') ? [{ task: 'recordingParts', step: worstRecorded! } as const] : []),
+    ...(missed('peers-frame') ? [{ task: 'frameParts', step: onRamp! } as const] : []),
+  ].map(({ task, step: { scene, integrator, trial } }) => ({
+    task,
+    profiled: { scene, integrator, trial, mixed: false },
+  }))
+}
+
 function target(
   [id, label]: [string, string],
   [sense, limit]: [Target['sense'], number],

@@ -1,5 +1,6 @@
 import type { IntegratorId } from '../physics/index.ts'
 import { bareLoops } from './bare/index.ts'
+import { frameParts, recordingParts } from './breakdown.ts'
 import { ourCurve } from './frontiers/ours.ts'
 import { odexCurve } from './frontiers/odex.ts'
 import { problems } from './frontiers/problems.ts'
@@ -31,10 +32,20 @@ export const tasks = {
   odex: ({ problem, care }: { problem: string; care: Care }) =>
     odexCurve(named(problems, problem), care),
 
-  profile: ({ scene, integrator, trial, mixed }: Profiled) => {
+  recordingParts: ({ care, ...profiled }: Profiled & { care: Care }) => {
+    const { loop, timed } = trialOf(profiled)
+    return recordingParts(loop, timed, care)
+  },
+
+  frameParts: ({ care, ...profiled }: Profiled & { care: Care }) => {
+    const { loop, timed } = trialOf(profiled)
+    return frameParts(loop, timed, care)
+  },
+
+  profile: (profiled: Profiled) => {
+    const { scene, integrator, trial, mixed } = profiled
     if (mixed) meetEverything()
-    const loop = bareLoops.find((each) => each.scene === scene && each.integrator === integrator)!
-    const timed = loop.trials.find(({ kind }) => kind === trial)!
+    const { loop, timed } = trialOf(profiled)
     const what = `${scene}, ${integrator}, ${trial}, ${mixed ? 'mixed' : 'alone'}`
     return profileOf(what, steppingWork(timed, loop.integrator))
   },
@@ -46,6 +57,11 @@ export interface Profiled {
   integrator: string
   trial: string
   mixed: boolean
+}
+
+function trialOf({ scene, integrator, trial }: Profiled) {
+  const loop = bareLoops.find((each) => each.scene === scene && each.integrator === integrator)!
+  return { loop, timed: loop.trials.find(({ kind }) => kind === trial)! }
 }
 
 export type Tasks = typeof tasks

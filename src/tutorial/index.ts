@@ -1,6 +1,7 @@
 import { copyButton, reachable } from './page/code.ts'
 import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
+import { layOutInTurn } from './page/layOut.ts'
 import { followLinks } from './page/links.ts'
 import { lightOnPaper } from './page/print.ts'
 import { shine } from './page/shine.ts'
@@ -22,3 +23,4 @@ all('.code').forEach(copyButton)
 all('.take-home').forEach(tabs)
 reachable(all(':is(pre, .equation, .table)'))
 lightOnPaper()
+layOutInTurn(all('.text > section'))

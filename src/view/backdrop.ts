@@ -5,7 +5,7 @@ import { drawPost } from './post.ts'
 import { drawScaleBar } from './scaleBar.ts'
 import type { Setting } from './setting.ts'
 import { drawGhost } from './start.ts'
-import { batchesOf, drawBatch, drawFaint, drawLatest, lanesOf } from './strobe.ts'
+import { batchesOf, countDots, drawBatch, drawFaint, drawLatest, lanesOf } from './strobe.ts'
 import type { Batch, Lane } from './strobe.ts'
 import { rowAt } from './timeline.ts'
 
@@ -21,6 +21,11 @@ export class Backdrop {
   private batches: readonly Batch[] = []
   /** How many of the batches have been drawn. */
   private drawn = 0
+
+  /** How many dots it shows at a time, in the setting that it was last drawn in. */
+  dotsAt(time: number): number {
+    return countDots(this.lanes, time)
+  }
 
   /** Draws it as it is at a time, over all of a context's canvas. */
   draw(target: CanvasRenderingContext2D, setting: Setting, palette: Palette, time: number): void {

@@ -17,6 +17,8 @@ const words = { 'at-rest': '', 'left-the-track': 'left the track', diverged: 'di
 /** What stands next to a block: whose it is, where it is, and since when it rests. */
 export interface Caption {
   readonly actor: Actor
+  /** The context's. */
+  readonly font: string
   readonly text: string
   readonly time: string
   readonly textWidth: number
@@ -32,6 +34,7 @@ export interface Caption {
 /** What to write at an actor, in the context's font. */
 export function captionOf(
   context: CanvasRenderingContext2D,
+  font: string,
   actor: Actor,
   { runners }: Picture,
   { camera, width: canvas }: Layout,
@@ -41,11 +44,11 @@ export function captionOf(
   const ending = end ? words[end.kind] : ''
   const where = ending || (wordy ? place(distance, 5 / camera.scale) : '')
   const text = [runner ? runner.name : 'exact', where].filter(Boolean).join(' · ')
-  const textWidth = widthOf(context, text)
+  const textWidth = widthOf(context, text, font)
   const time = wordy && end?.kind === 'at-rest' ? seconds(end.time) : ''
   const pole = top(body).x
   const name = textWidth + (runner ? MARK : 0)
-  const flag = actor.rests ? FLAG + (wordy ? 8 + widthOf(context, '0.00 s') : 0) : 0
+  const flag = actor.rests ? FLAG + (wordy ? 8 + widthOf(context, '0.00 s', font) : 0) : 0
   const lean = leanAt(body.spot.descent, pole, name)
   // Near the canvas's edge, where a flag would push its label over the pole, its room is not kept free, nor on a
   // canvas that has none to spare.
@@ -54,7 +57,7 @@ export function captionOf(
   const cramped = end && room < flag
   const free = canvas < 480 && !end ? 0 : room
   const width = cramped ? Math.max(name, pole) + FLAG : name + free
-  return { actor, text, time: cramped ? '' : time, textWidth, flag, width, lean, pole }
+  return { actor, font, text, time: cramped ? '' : time, textWidth, flag, width, lean, pole }
 }
 
 /**

@@ -47,7 +47,7 @@ export function drawCaption(
   all: readonly Caption[],
   palette: Palette,
 ): void {
-  const { actor, text, time, textWidth, lean, pole } = caption
+  const { actor, font, text, time, textWidth, lean, pole } = caption
   const { fill, text: colour } = colours(caption, palette)
   const baseline = box.bottom - 5
   const mark = actor.runner ? MARK : 0
@@ -73,13 +73,13 @@ export function drawCaption(
     context.restore()
   }
   context.fillStyle = colour
-  write(context, text, left + mark, baseline, { halo: palette.sheet })
+  write(context, text, left + mark, baseline, { halo: palette.sheet, font })
   if (actor.end?.kind !== 'at-rest') return
   const roomy = left - box.left > caption.flag - 1
   const beyond = lean > 0.5 ? Math.max(left + nameWidth, pole) : left + nameWidth
   const flag = roomy ? box.left + 2 : beyond + 6
   drawFlag(context, flag, baseline, colour)
-  if (time) write(context, time, flag + 10, baseline, { halo: palette.sheet })
+  if (time) write(context, time, flag + 10, baseline, { halo: palette.sheet, font })
 }
 
 /** Whether another's pole goes up behind a name: letters with a line through them can't be read. */

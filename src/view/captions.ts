@@ -23,7 +23,8 @@ export function drawCaptions(
   palette: Palette,
 ): void {
   context.font = `500 ${layout.row - 5}px ${palette.sans}`
-  const captions = actors.map((actor) => captionOf(context, actor, picture, layout))
+  const { font } = context
+  const captions = actors.map((actor) => captionOf(context, font, actor, picture, layout))
   const vertical = picture.scene.id === 'fall'
   captions.sort(inOrder(captions, projection, vertical))
   const boxes = vertical

@@ -8,6 +8,7 @@ import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
+import { standingAt } from './standing.ts'
 import { forgetWidths } from './text.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
@@ -22,6 +23,8 @@ export class Stage {
   private shown: Setting | undefined
   /** What the setting shown was made under. */
   private made: { readonly frozen: boolean; readonly ratio: number } | undefined
+  /** What time changes in the picture, as it was drawn last; undefined where the next is to be drawn in any case. */
+  private standing: readonly number[] | undefined
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     // A canvas that gives no context is a browser out of memory: nothing can be shown then.
@@ -29,18 +32,26 @@ export class Stage {
     this.reader = new PaletteReader(canvas)
   }
 
-  /** Draws at the canvas's CSS size and the window's pixel ratio. What only the time has changed is quick to draw. */
+  /**
+   * Draws at the canvas's CSS size and the window's pixel ratio. What only the time has changed is quick to draw, and what
+   * it has not changed is not drawn.
+   */
   draw(picture: Picture): void {
     const { frozen, made, shown } = this
     const ratio = window.devicePixelRatio
     const isKept = made?.frozen === frozen && made.ratio === ratio
-    if (!isKept || !shown || !isSameButTime(picture, shown.picture)) {
+    if (isKept && shown && isSameButTime(picture, shown.picture)) {
+      const before = this.standing
+      this.standing = this.standingOf(picture)
+      if (before && this.standing?.every((each, i) => Object.is(each, before[i]))) return
+    } else {
       const { clientWidth: width, clientHeight: height } = this.canvas
       if (width === 0 || height === 0) return
       this.fitPixels(width, height, ratio)
       this.palette = this.reader.read()
       this.shown = settingOf(picture, this.layoutOf(picture, width, height))
       this.made = { frozen, ratio }
+      this.standing = undefined
     }
     paint(this.context, picture, this.shown!, this.palette!, this.backdrop)
   }
@@ -59,6 +70,12 @@ export class Stage {
   /** The parameter change that dragging a handle to a point (CSS px) means, rounded to a sensible step for the scale on screen. */
   drag(id: HandleId, x: number, y: number): Readonly<Record<string, number>> {
     return this.shown ? dragged(id, { x, y }, this.shown.picture, this.shown.layout) : {}
+  }
+
+  private standingOf(picture: Picture): number[] | undefined {
+    // Arrows change with more than that.
+    if (picture.forces) return undefined
+    return [...standingAt(picture), this.backdrop.dotsAt(picture.time)]
   }
 
   private layoutOf(picture: Picture, width: number, height: number): Layout {

@@ -107,6 +107,14 @@ export function drawLatest(
   }
 }
 
+/** How many dots there are by then. */
+export function countDots(lanes: readonly Lane[], time: number): number {
+  return lanes.reduce(
+    (sum, { rows, trajectory }) => sum + countUpTo(rows, rowAt(trajectory, time)),
+    0,
+  )
+}
+
 /** How many of the numbers, which are in order, are not above a limit. */
 function countUpTo(numbers: readonly number[], limit: number): number {
   let low = 0

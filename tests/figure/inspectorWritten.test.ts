@@ -122,7 +122,7 @@ function near(value: number, expected: number, numbers: Said): boolean {
 
 /** What an expression as it is displayed is worth: + and −, then × and /, then squares and brackets. */
 function worth(text: string): number {
-  const tokens = text.match(/[\d.]+(?:e[+-]\d+)?(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?|[½²()×/+−-]/gu)!
+  const tokens = text.match(/√?[\d.]+(?:e[+-]\d+)?(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?|[½²()×/+−-]/gu)!
   const sum = (): number => {
     let total = product()
     for (let sign = tokens[0]; sign === '+' || sign === '−'; sign = tokens[0]) {
@@ -146,6 +146,7 @@ function worth(text: string): number {
       value = sum()
       tokens.shift()
     } else if (/^\d/.test(token)) value = plainNumber(token)
+    else if (token.startsWith('√')) value = Math.sqrt(Number(token.slice(1)))
     if (tokens[0] === '²') {
       tokens.shift()
       value *= value

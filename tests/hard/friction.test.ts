@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { energyResidual, frameRateSpread } from '../../src/measure/index.ts'
 import { exact, integrators, simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
+import { samples } from '../samples.ts'
 import { measured, published } from './measured.ts'
 import {
   firstOrder,
@@ -159,29 +160,36 @@ describe('3 μk < tan α < μs', () => {
 
 describe('4 tan α = μs (1 ± 1e-12), for an hour', () => {
   const { id: name, experiments } = hardCase('edge-of-holding')
-  const [held, freed] = experiments as [Experiment, Experiment]
+  // [s]
+  const hour = samples(3600)
+  const [held, freed] = experiments.map((each) => ({ ...each, duration: hour })) as [
+    Experiment,
+    Experiment,
+  ]
 
   it.each(ids)('%s: just held is held to the bit', (integrator) => {
     for (const stopping of ['located', 'clamped'] as const) {
       const run = simulate({ ...held, integrator, stopping })
       expect(run.outcome).toEqual({ kind: 'at-rest', time: 0 })
-      expect(run.frames).toBe(216_000)
+      expect(run.frames).toBe(60 * hour)
       measured(name, 'held', [integrator, stopping], largest(run.s), { atMost: 0 })
       expect(run.evaluations).toBe(1)
     }
   })
 
-  it.each(methods)('$id: not quite held slides, as far as it should', ({ id, order }) => {
+  // In less than an hour the bound of the forces' rounding is below the methods' own errors.
+  const whole = it.skipIf(hour < 3600)
+  whole.each(methods)('$id: not quite held slides, as far as it should', ({ id, order }) => {
     const run = simulate({ ...freed, integrator: id })
     expect(run.outcome.kind).toBe('moving')
     // g cos 30° times tan 30° less μ. Drive and press, both near 5 and 8.5 m/s², are rounded: by an ulp of 4 to 8 each, of
     // which an hour makes 1e-8 m or less.
     const a = 9.81 * Math.sqrt(0.75) * 0.5773502691896257 * 1e-12
-    const off = Math.abs(last(run.s) - 0.5 * a * 3600 * 3600)
-    measured(name, 'freed', [id], off, { atMost: 0.5 * 2 * 2 ** -50 * 3600 * 3600 })
+    const off = Math.abs(last(run.s) - 0.5 * a * hour * hour)
+    measured(name, 'freed', [id], off, { atMost: 0.5 * 2 * 2 ** -50 * hour * hour })
     // To the same rounded forces it is exact, but for ½ a T Δt of the first-order ones and 216 000 roundings.
-    const own = order === 1 ? (0.5 * a * 3600) / 60 : 0
-    measured(name, 'own', [id], Math.abs(last(run.s) - exact(freed, 3600).s), {
+    const own = order === 1 ? (0.5 * a * hour) / 60 : 0
+    measured(name, 'own', [id], Math.abs(last(run.s) - exact(freed, hour).s), {
       atMost: 1.001 * own + 216_000 * 2 ** -67,
     })
   })

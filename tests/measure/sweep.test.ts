@@ -58,8 +58,8 @@ describe('a sweep', () => {
   it.each(curves(pipe))('shows the order that $method claims', (curve) => {
     const { order } = claimOf(curve.method)
     // The next term of the error is a few steps' worth of the first; at 960 steps a second, and for a method of the
-    // fourth order at 100, that is below a tenth of an order.
-    expect(Math.abs(orderOfCurve(curve, sweepRates) - order)).toBeLessThan(0.1)
+    // fourth order at 100, that is below a tenth of an order. One of the eighth comes to rounding in a dozen steps a second.
+    expect(Math.abs(orderOfCurve(curve, sweepRates) - order)).toBeLessThan(order > 4 ? 0.2 : 0.1)
   })
 
   it('through a stop: located keeps every order, or is exact; clamped leaves the first', () => {

@@ -3,6 +3,7 @@ import { frameClocks } from '../../src/physics/index.ts'
 import type { FramesChoice } from '../../src/physics/index.ts'
 import type { FrameClock, Frames } from '../../src/physics/frameClock.ts'
 import { entry } from '../../src/physics/lists.ts'
+import { samples } from '../samples.ts'
 
 function start(choice: FramesChoice): Frames {
   const clock: FrameClock = entry(frameClocks, choice.kind)
@@ -18,6 +19,10 @@ const choices: FramesChoice[] = [
   { kind: 'steady', fps: 144 },
   { kind: 'jitter', fps: 60, amount: 0.9, seed: 3 },
   { kind: 'hitch', fps: 60, every: 1, length: 0.5 },
+  // Hitches longer than their interval: 0.2 s are left to the next that is due.
+  { kind: 'hitch', fps: 100, every: 0.3, length: 0.4 },
+  // One frame fits between two hitches, to the bit.
+  { kind: 'hitch', fps: 4, every: 1, length: 0.75 },
   { kind: 'missed-vsync', fps: 144, seed: 3 },
   { kind: 'recorded', durations: [0.016, 0.017, 0.0331, 1 / 7] },
 ]
@@ -33,7 +38,7 @@ describe('frame clocks', () => {
     'ten million steady frames at 1/%i s are not off by an ulp more than one rounding',
     (fps) => {
       const frames = start({ kind: 'steady', fps })
-      const count = 10_000_000
+      const count = samples(10_000_000)
       for (let i = 0; i < count; i++) frames.next()
       expect(frames.time).toBe(count / fps)
     },
@@ -43,7 +48,7 @@ describe('frame clocks', () => {
     const frames = start(choice)
     // The sum of all durations as whole numbers of 2⁻⁸⁰ s, which is exact.
     let exact = 0n
-    const count = 10_000_000
+    const count = samples(10_000_000)
     const seen = new Map<number, number>()
     for (let i = 0; i < count; i++) {
       frames.next()
@@ -85,10 +90,11 @@ describe('frame clocks', () => {
   it('hitch: one long frame for every interval, the rest steady', () => {
     const frames = start({ kind: 'hitch', fps: 10, every: 1, length: 0.5 })
     const durations: number[] = []
-    while (frames.time < 3) {
+    for (let i = 0; i < 22; i++) {
       frames.next()
       durations.push(frames.duration)
     }
+    expect(frames.time).toBe(3)
     const long = durations.flatMap((duration, i) => (duration === 0.5 ? [i] : []))
     // Ten frames to 1 s, a hitch to 1.5 s, five frames to 2 s, a hitch.
     expect(long).toEqual([10, 16])
@@ -109,15 +115,27 @@ describe('frame clocks', () => {
 
   it('missed vsync: whole refreshes, one or two, each about half of the time', () => {
     const frames = start({ kind: 'missed-vsync', fps: 60, seed: 5 })
+    let once = 0
     let twice = 0
-    const count = 100_000
+    const count = samples(100_000)
     for (let i = 0; i < count; i++) {
       frames.next()
-      expect([1 / 60, 2 / 60]).toContain(frames.duration)
-      if (frames.duration > 0.02) twice++
+      if (frames.duration === 2 / 60) twice++
+      else if (frames.duration === 1 / 60) once++
     }
+    expect(once + twice).toBe(count)
     // Six standard deviations of a fair coin.
     expect(Math.abs(twice - count / 2)).toBeLessThan(3 * Math.sqrt(count))
+  })
+
+  // The generator's first draws for these seeds, found by running it backwards, are 2³¹ − 1 and 2³¹.
+  it.each([
+    { seed: 4258665577, refreshes: 1 },
+    { seed: 3767474599, refreshes: 2 },
+  ])('missed vsync: half of all draws are one refresh, to the very last: %o', (each) => {
+    const frames = start({ kind: 'missed-vsync', fps: 60, seed: each.seed })
+    frames.next()
+    expect(frames.duration).toBe(each.refreshes / 60)
   })
 
   it('recorded: from the start again when it runs out', () => {
@@ -129,9 +147,11 @@ describe('frame clocks', () => {
   it.each(choices)('tell how many frames a run has: %o', (choice) => {
     const clock: FrameClock = entry(frameClocks, choice.kind)
     const frames = start(choice)
-    for (let i = 0; i < 100_000; i++) frames.next()
-    // Chance leaves at most six standard deviations of the mean, below 1 %.
-    expect(Math.abs(clock.frames(choice as never, frames.time) / 100_000 - 1)).toBeLessThan(0.01)
+    const count = samples(100_000)
+    for (let i = 0; i < count; i++) frames.next()
+    // Chance leaves at most six standard deviations of the mean, below 1 % of so many.
+    const give = 0.01 * Math.sqrt(100_000 / count)
+    expect(Math.abs(clock.frames(choice as never, frames.time) / count - 1)).toBeLessThan(give)
   })
 
   it.each<FramesChoice>([
@@ -142,6 +162,7 @@ describe('frame clocks', () => {
     { kind: 'hitch', fps: 50, every: 1, length: 1.9999883 },
     { kind: 'hitch', fps: 50, every: 1, length: 2.0000001 },
     { kind: 'hitch', fps: 1, every: 0.01, length: 0.25 },
+    { kind: 'hitch', fps: 1, every: 0.25, length: 0.25 },
     { kind: 'hitch', fps: 5.5, every: 0.01, length: 3.95 },
     { kind: 'hitch', fps: 60, every: 0.0145, length: 0.001 },
     { kind: 'recorded', durations: [0.001, 0.001, 0.001, 60] },
@@ -153,6 +174,16 @@ describe('frame clocks', () => {
       expect(count).toBeLessThanOrEqual(clock.frames(choice as never, frames.time) * (1 + 1e-12))
       frames.next()
     }
+  })
+
+  it.each<FramesChoice>([
+    { kind: 'hitch', fps: 60, every: 0.0145, length: 0.001 },
+    { kind: 'hitch', fps: 50, every: 1, length: 0.9999 },
+  ])('tell of not twice as many frames as there are: %o', (choice) => {
+    const clock: FrameClock = entry(frameClocks, choice.kind)
+    const frames = start(choice)
+    for (let i = 0; i < 2000; i++) frames.next()
+    expect(clock.frames(choice as never, frames.time)).toBeLessThan(4000)
   })
 
   it('draw the same frames for the same seed, and others for another', () => {

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { scenes } from '../../src/physics/index.ts'
 import type { Scene } from '../../src/physics/index.ts'
 import { Random } from '../../src/physics/random.ts'
+import { samples } from '../samples.ts'
 
 const random = new Random(11)
 const uniform = (from: number, to: number) => from + ((to - from) * random.next()) / 2 ** 32
@@ -41,7 +42,7 @@ describe.each(scenes)('the exact motion on the scene $id', (scene: Scene) => {
   it('obeys the law at every instant between two jumps', () => {
     const h = 1e-3
     let checked = 0
-    for (let run = 0; run < 300; run++) {
+    for (let run = 0; run < samples(300); run++) {
       const given = Object.fromEntries(
         Object.keys(scene.parameters).map((name) => [name, uniform(...ranges[name]!)]),
       )
@@ -87,6 +88,6 @@ describe.each(scenes)('the exact motion on the scene $id', (scene: Scene) => {
         }
       }
     }
-    expect(checked).toBeGreaterThan(1500)
+    expect(checked).toBeGreaterThan(samples(1500))
   })
 })

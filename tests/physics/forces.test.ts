@@ -51,6 +51,7 @@ describe('the force vectors', () => {
         // A falling ball has no track to be across of.
         const centripetal = law.mass * state.v ** 2 * curvature
         expect(Math.abs(across - centripetal)).toBeLessThan(rounding)
+        expect(length(forces.acceleration) * law.mass).toBeCloseTo(length(forces.sum), 10)
         expect(length(forces.along)).toBeCloseTo(1, 15)
         expect(Math.abs(dot(forces.along, forces.across))).toBeLessThan(1e-15)
       },
@@ -92,6 +93,25 @@ describe('the force vectors', () => {
     expect(rubbing).toBe('none')
     expect(forcesAt(slope, { s: 0, v: 1 }).rubbing).toBe('sliding')
     expect(forcesAt({ ...slope, stopping: 'clamped' }, { s: 0, v: 0 }).rubbing).toBe('held')
+  })
+
+  it('hold a block up to the very limit of static friction', () => {
+    // The spring pulls with 4 · 0.5 N, and friction can hold ¼ · 8 N.
+    const limit: Experiment = {
+      scene: 'spring',
+      parameters: { angle: 0, stiffness: 4, gravity: 8, muStatic: 0.25, muKinetic: 0.25 },
+    }
+    expect(forcesAt(limit, { s: 0.5, v: 0 }).rubbing).toBe('held')
+    expect(forcesAt(limit, { s: 0.5 + 1e-15, v: 0 }).rubbing).toBe('sliding')
+  })
+
+  it('are none of friction where nothing rubs, at rest or sliding', () => {
+    const ice: Experiment = { scene: 'ramp', parameters: { angle: 0, muStatic: 0, muKinetic: 0 } }
+    for (const v of [0, 1, -1]) {
+      const { rubbing, friction } = forcesAt(ice, { s: 0, v })
+      expect(rubbing).toBe('none')
+      expect(length(friction)).toBe(0)
+    }
   })
 
   it('leave no normal force on a wall', () => {

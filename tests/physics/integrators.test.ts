@@ -5,8 +5,8 @@ import { Motion } from '../../src/physics/motion.ts'
 import { freely } from '../../src/physics/scenes/law.ts'
 
 describe('implicit midpoint', () => {
-  const after = (forces: Forces, dt: number) => {
-    const motion = new Motion({ ...freely(1), forces: [forces] }, 0, 1)
+  const after = (forces: Forces, dt: number, v = 1) => {
+    const motion = new Motion({ ...freely(1), forces: [forces] }, 0, v)
     motion.dt = dt
     implicitMidpoint.step(motion)
     return motion
@@ -18,6 +18,8 @@ describe('implicit midpoint', () => {
       motion.drive = 2 * motion.v + 1
     }, 1)
     expect(motion.unsolved).toBe(1)
+    // Two looks show that, and no more are taken.
+    expect(motion.evaluations).toBe(2)
     expect(Number.isFinite(motion.s)).toBe(true)
     expect(Number.isFinite(motion.v)).toBe(true)
   })
@@ -38,5 +40,17 @@ describe('implicit midpoint', () => {
     }, 1)
     expect(motion.evaluations).toBe(implicitMidpoint.evaluations.least)
     expect([motion.s, motion.v]).toEqual([1, 1])
+  })
+
+  it('looks once at a block that stands where nothing acts', () => {
+    const motion = after(
+      (motion) => {
+        motion.drive = 0
+      },
+      1,
+      0,
+    )
+    expect([motion.evaluations, motion.unsolved]).toEqual([1, 0])
+    expect([motion.s, motion.v]).toEqual([0, 0])
   })
 })

@@ -125,10 +125,35 @@ describe('the paper’s step', () => {
     expect(distance(without('newVelocity')) - 0.5 * a * 4).toBeCloseTo(-a * DT, 7)
   })
 
+  it('as printed makes none of the corrections but the one that its own formula makes', () => {
+    expect(asPrinted).toEqual({
+      normalIsVector: false,
+      unitSlipDirection: false,
+      normalInSum: false,
+      staticFriction: false,
+      newVelocity: true,
+    })
+    expect(Object.values(allCorrected)).toEqual([true, true, true, true, true])
+  })
+
   it('as printed sinks and is dragged, and is not what is corrected', () => {
     const on = slope(30, 0.2)
     const end = run(on, 2, 1, asPrinted).at(-1)!
     expect(dot(end.r, on.n)).toBeLessThan(-4)
+  })
+
+  it('holds a block up to the very limit of static friction', () => {
+    // On the flat, and pulled along it by 3 m/s² under a normal force of 4: in numbers that are exact.
+    const flat = (muStatic: number): Surface => ({
+      g: { x: 3, y: -4 },
+      n: { x: 0, y: 1 },
+      mass: 1,
+      muKinetic: 0.5,
+      muStatic,
+    })
+    const still: Body = { r: { x: 0, y: 0 }, v: { x: 0, y: 0 } }
+    expect(paperStep(still, flat(0.75), DT, allCorrected).v.x).toBe(0)
+    expect(paperStep(still, flat(0.7499999), DT, allCorrected).v.x).toBeGreaterThan(0)
   })
 
   it('leaves what it is given as it was', () => {

@@ -11,6 +11,7 @@ import {
   timesteps,
 } from '../../src/physics/index.ts'
 import type { Experiment, FramesChoice, Timestep } from '../../src/physics/index.ts'
+import { samples } from '../samples.ts'
 import { last } from './truth.ts'
 
 const allTimesteps: Timestep[] = [
@@ -62,7 +63,8 @@ describe('simulate', () => {
   })
 
   it('gives the same bits every time', () => {
-    for (const experiment of everything) expect(simulate(experiment)).toEqual(simulate(experiment))
+    for (const experiment of everything.slice(0, samples(everything.length)))
+      expect(simulate(experiment)).toEqual(simulate(experiment))
   })
 
   it('is a loop around createRun: the same frames by hand give the same bits', () => {

@@ -119,16 +119,47 @@ describe('timestep policies', () => {
       game.frame(1 / 60)
       game.frame(1e7)
       expect(game.steps).toBeLessThanOrEqual(MOST_STEPS_A_FRAME + 17)
-      expect(game.lostTime).toBeGreaterThan(1e7 - 200)
-      expect(game.time - game.stateTime - game.lostTime).toBeLessThan(2e-3)
+      // All but 100 000 steps of 1 ms; of 1e7 s an ulp is 2e-9 s.
+      expect(Math.abs(game.lostTime - (1e7 - 100))).toBeLessThan(1e-3)
+      expect(Math.abs(game.time - game.stateTime - game.lostTime)).toBeLessThan(1.1e-3)
       game.frame(1 / 60)
       expect(game.steps).toBeLessThanOrEqual(MOST_STEPS_A_FRAME + 35)
     },
   )
 
+  it('substeps takes a remainder of eight ulps of the frame for rounding, and no larger one', () => {
+    const steps = (step: number, fps: number) =>
+      simulate({
+        ...sliding,
+        timestep: { kind: 'substeps', step },
+        frames: { kind: 'steady', fps },
+        duration: 1 / fps,
+      }).steps
+    const ulp = Number.EPSILON
+    expect(steps(1 - 8 * ulp, 1)).toBe(1)
+    expect(steps(1 - 9 * ulp, 1)).toBe(2)
+    // The bound goes with the frame.
+    expect(steps(0.001 * (1 - 1e-13), 1000)).toBe(2)
+  })
+
+  it.each([
+    { kind: 'variable' },
+    { kind: 'capped', cap: 0.05 },
+    { kind: 'substeps', step: 1e-3 },
+  ] as const)('a frame of no length is one step of none: %o', (timestep) => {
+    const game = createRun({ ...sliding, timestep })
+    game.frame(1 / 60)
+    const { steps } = game
+    const { s, v } = game.motion
+    game.frame(0)
+    expect(game.steps).toBe(steps + 1)
+    expect([game.motion.s, game.motion.v, game.stateTime]).toEqual([s, v, 1 / 60])
+  })
+
   it('counts whole steps in spite of rounding', () => {
+    const numbers = Array.from({ length: 3000 }, (_, i) => i + 1)
     for (const fps of [24, 30, 60, 144, 240])
-      for (let i = 1; i <= 3000; i++) expect(wholeSteps(i / fps, 1 / fps)).toBe(i)
+      expect(numbers.filter((i) => wholeSteps(i / fps, 1 / fps) !== i)).toEqual([])
     expect(wholeSteps(0.999, 1 / 60)).toBe(59)
   })
 
@@ -167,6 +198,25 @@ describe('drawing under fixed', () => {
       expect(drawnS[row]!).toBeCloseTo(line, 11)
     }
   })
+
+  it.each(['interpolated', 'extrapolated'] as const)(
+    '%s after steps were dropped goes by what is left of the frame',
+    (draw) => {
+      const game = createRun({ ...sliding, timestep: { kind: 'fixed', step, maxSteps: 2, draw } })
+      for (const duration of [0.12, 0.5, 0.03, 0.04]) {
+        game.frame(duration)
+        const { s, v } = game.motion
+        const left = game.time - game.stateTime - game.lostTime
+        expect(left).toBeGreaterThan(-1e-12)
+        expect(left).toBeLessThan(step)
+        const before = at(game.stateTime - step).s
+        const line = draw === 'extrapolated' ? s + v * left : before + (s - before) * (left / step)
+        expect(game.drawnS).toBeCloseTo(line, 12)
+      }
+      // Of 0.69 s there are 13 steps; the second frame had 10 due and took 2.
+      expect(game.lostTime).toBeCloseTo(8 * step, 12)
+    },
+  )
 
   it('extrapolated goes on from the last state at its speed', () => {
     const { drawnS, time, s, v, stateTime, frames } = drawn('extrapolated')

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { exactMotion, integrators, simulate } from '../../src/physics/index.ts'
 import type { FramesChoice, Timestep } from '../../src/physics/index.ts'
+import { samples } from '../samples.ts'
 import { last, relative, truth } from './truth.ts'
 
 const timesteps: Timestep[] = [
@@ -26,13 +27,15 @@ describe('on the ramp every method of second order or more is exact with located
     it.each(ramps)('$name', ({ experiment, outcome, s }) => {
       const truth = exactMotion(experiment)
       for (const timestep of timesteps)
-        for (const clock of frames) {
+        for (const clock of frames.slice(0, samples(frames.length))) {
           const run = simulate({ ...experiment, integrator, timestep, frames: clock })
           const where = JSON.stringify({ timestep, clock })
+          let worst = 0
           for (let row = 0; row <= run.frames; row++) {
             const at = truth(run.stateTime[row]!, { s: 0, v: 0 })
-            expect(relative(run.s[row]! - at.s, at.s), where).toBeLessThanOrEqual(1e-12)
+            worst = Math.max(worst, relative(run.s[row]! - at.s, at.s))
           }
+          expect(worst, where).toBeLessThanOrEqual(1e-12)
           // Under `fixed` the state's time may still be before the stop.
           if (outcome === 'at-rest' && last(run.v) === 0) {
             expect(run.outcome.kind, where).toBe('at-rest')

@@ -18,7 +18,7 @@ const RUNNERS = [
 
 async function openEverything(page: Page): Promise<void> {
   await page.locator('lab-plots').scrollIntoViewIfNeeded()
-  await page.locator('lab-plots .u-over').first().waitFor()
+  await page.locator('lab-plots canvas.chart').first().waitFor()
   await page.getByRole('checkbox', { name: 'Show forces' }).check()
   await page
     .locator('record-frames')

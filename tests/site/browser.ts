@@ -7,7 +7,7 @@ import { chromium } from 'playwright-core'
 import type { BrowserServer } from 'playwright-core'
 
 /** One way to get a browser, and what to call it when it fails. */
-type Candidate = { name: string; launch: () => Promise<BrowserServer> }
+type Candidate = { name: string; launch: (args: readonly string[]) => Promise<BrowserServer> }
 
 /** A browser that started. */
 type Started = {
@@ -21,12 +21,12 @@ const offline = '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE localhost, EXCLU
 
 const packaged: Candidate = {
   name: 'the Chromium in @sparticuz/chromium (Linux, x64)',
-  launch: async () => {
+  launch: async (args) => {
     const folder = unpack()
     return chromium.launchServer({
       executablePath: join(folder, 'chromium'),
       // The package's own arguments are for servers without a screen: they change how pages behave.
-      args: ['--no-sandbox', '--font-render-hinting=none', offline],
+      args: ['--no-sandbox', '--font-render-hinting=none', offline, ...args],
       env: {
         ...process.env,
         LD_LIBRARY_PATH: join(folder, 'al2023', 'lib'),
@@ -38,18 +38,24 @@ const packaged: Candidate = {
 
 const installed: Candidate = {
   name: 'an installed Google Chrome',
-  launch: () => chromium.launchServer({ channel: 'chrome', args: [offline] }),
+  launch: (args) => chromium.launchServer({ channel: 'chrome', args: [offline, ...args] }),
 }
 
 const candidates = process.platform === 'linux' ? [packaged, installed] : [installed]
 
-/** Starts the first candidate that can; throws an error that says what was tried and what to install. */
-export async function launchBrowser(from: Candidate[] = candidates): Promise<Started> {
+/**
+ * Starts the first candidate that can, with further arguments of Chromium's; throws an error that says what was tried
+ * and what to install.
+ */
+export async function launchBrowser(
+  from: readonly Candidate[] = candidates,
+  args: readonly string[] = [],
+): Promise<Started> {
   const failures: string[] = []
   for (const candidate of from) {
     const { name, launch } = candidate
     try {
-      return { server: await launch(), packaged: candidate === packaged }
+      return { server: await launch(args), packaged: candidate === packaged }
     } catch (error) {
       failures.push(`- ${name}: ${reason(error)}`)
     }

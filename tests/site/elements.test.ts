@@ -1,32 +1,19 @@
-import { execFileSync } from 'node:child_process'
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
-import { join } from 'node:path'
 import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
-import { afterAll, beforeAll, expect, inject, test } from 'vitest'
+import { beforeAll, expect, inject, test } from 'vitest'
 import type { SlideFigureElement, SlideLabElement } from '../../src/elements.ts'
 import { simulate } from '../../src/physics/index.ts'
+import { buildElements } from './hosts.ts'
 import { openPage } from './page.ts'
 
 /* The elements in other people's pages, from the one file that such a page loads. */
 
-const root = join(import.meta.dirname, '../..')
-const folder = mkdtempSync(join(tmpdir(), 'any-frame-rate-elements-'))
 let module: string
+let files: string[]
 
 beforeAll(() => {
-  const vite = join(root, 'node_modules/vite/bin/vite.js')
-  const options = ['-c', 'vite.elements.config.ts', '--outDir', folder, '--logLevel', 'warn']
-  execFileSync(process.execPath, [vite, 'build', ...options], {
-    cwd: root,
-    env: { ...process.env, NODE_ENV: 'production' },
-    stdio: ['ignore', 'ignore', 'inherit'],
-  })
-  module = readFileSync(join(folder, 'slide-lab.js'), 'utf8')
-})
-
-afterAll(() => rmSync(folder, { recursive: true, force: true }))
+  ;({ module, files } = buildElements())
+}, 180_000)
 
 /** Styles of somebody who does not know what else will be in the page. */
 const wild = `
@@ -61,7 +48,7 @@ const lab = (page: Page) => page.locator('slide-lab')
 const spread = (page: Page) => lab(page).locator('.spread output').first().innerText()
 
 test('it is one file', () => {
-  expect(readdirSync(folder)).toEqual(['slide-lab.js'])
+  expect(files).toEqual(['slide-lab.js'])
   expect(module).not.toMatch(/\bimport\s*\(|^import\b/m)
 })
 
@@ -101,7 +88,7 @@ test('attributes and properties say what is run: bit for bit what simulate gives
   const { page, problems } = await openHost(
     '<slide-lab scene="run-out" fps="12 75" integrator="rk4" stopping="located" duration="3"></slide-lab>',
   )
-  await lab(page).locator('runner-row').first().waitFor()
+  await lab(page).locator('slide-runner-row').first().waitFor()
   const shown = () =>
     lab(page).evaluate((element) => {
       const { experiments, trajectories } = element as unknown as SlideLabElement
@@ -129,7 +116,7 @@ test('attributes and properties say what is run: bit for bit what simulate gives
 test('a page may choose the theme and the colours', async () => {
   const { page } = await openHost(
     '<style>#mine { --accent: rgb(192, 0, 170) }</style>' +
-      '<slide-lab compact id="mine"></slide-lab><slide-lab compact data-theme="dark"></slide-lab>',
+      '<slide-lab compact id="mine"></slide-lab><slide-lab compact theme="dark"></slide-lab>',
   )
   const colours = await lab(page).evaluateAll((labs) =>
     labs.map((lab) =>
@@ -220,7 +207,7 @@ test('keys, menus and links work as in the lab’s own page', async () => {
   expect(await isIn()).toBe('slide-lab')
   const playing = () =>
     lab(page).evaluate((element) => (element as unknown as SlideLabElement).playback.playing)
-  const field = lab(page).locator('quantity-control input').first()
+  const field = lab(page).locator('slide-quantity-control input').first()
   await field.focus()
   await page.keyboard.press('Space')
   expect(await playing()).toBe(false)

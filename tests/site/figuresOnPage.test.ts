@@ -22,7 +22,7 @@ test.each([390, 768, 1440])('at %d px a figure that comes alive moves nothing', 
   expect(problems).toEqual([])
 })
 
-test('before it comes near, nothing of a figure is loaded but what its name stands for', async () => {
+test('before one comes near, nothing of the figures is loaded but their names', async () => {
   const { page, problems } = await openPage({ height: 600 })
   const loaded = () =>
     page.evaluate(() =>
@@ -32,11 +32,10 @@ test('before it comes near, nothing of a figure is loaded but what its name stan
         .filter((name) => name.endsWith('.js')),
     )
   await page.waitForTimeout(300)
-  const atFirst = await loaded()
-  expect(atFirst.filter((name) => /^(paperStep|flungOut|springLimit)/.test(name))).toEqual([])
+  expect((await loaded()).filter((name) => /^(all|live)-/.test(name))).toEqual([])
   await page.locator('slide-figure[name="paper-step"]').scrollIntoViewIfNeeded()
   await expect
-    .poll(async () => (await loaded()).some((name) => name.startsWith('paperStep')))
-    .toBe(true)
+    .poll(async () => (await loaded()).filter((name) => /^(all|live)-/.test(name)))
+    .toHaveLength(2)
   expect(problems).toEqual([])
 })

@@ -9,7 +9,7 @@ test('the address holds what differs from the opening, and a reload brings it ba
   await lab.address(/^#angle=20&runners=10;30;120$/)
   const state = await lab.state()
   await page.reload()
-  expect(await lab.state()).toEqual(state)
+  await expect.poll(lab.state).toEqual(state)
   expect(await page.getByRole('button', { pressed: true }).allInnerTexts()).toEqual(['Located'])
   await page.getByRole('button', { name: 'Reset Angle' }).click()
   await page.getByRole('button', { name: 'Clamped' }).click()

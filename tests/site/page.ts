@@ -58,8 +58,10 @@ async function whole(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const lab = document.querySelector('slide-lab')
     const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'lab-measures:defined'
-    const text = document.querySelector('.tutorial') ? 'slide-figure:defined' : 'body'
-    return (!lab || lab.querySelector(later)) && document.querySelector(text)
+    const text = document.querySelector('.tutorial')
+      ? ['slide-figure:defined', '.text > section:last-of-type.laid-out']
+      : []
+    return (!lab || lab.querySelector(later)) && text.every((each) => document.querySelector(each))
   })
 }
 

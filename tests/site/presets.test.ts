@@ -44,7 +44,7 @@ test('Back and Forward go from preset to preset, drags stay in one entry', async
   await page.goForward()
   await expect.poll(() => lab.state()).toEqual(wall.shown.state)
   await page.reload()
-  expect(await lab.state()).toEqual(wall.shown.state)
+  await expect.poll(lab.state).toEqual(wall.shown.state)
   expect(lab.problems).toEqual([])
 })
 

@@ -11,6 +11,8 @@ declare module 'vitest' {
   export interface ProvidedContext {
     /** Where the built site is served, with a slash at the end. */
     address: string
+    /** The folder that it was built into. */
+    folder: string
     /** Where the browser listens for tests. */
     browser: string
     /** It is the one that npm brings along. */
@@ -40,6 +42,7 @@ export default async function setup(project: TestProject): Promise<() => Promise
     })
     undo.push(() => server.close())
     project.provide('address', server.resolvedUrls!.local[0]!)
+    project.provide('folder', outDir)
     project.provide('browser', browser.wsEndpoint())
     project.provide('packaged', packaged)
   } catch (error) {

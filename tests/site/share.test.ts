@@ -1,10 +1,13 @@
-import type { Download } from 'playwright-core'
-import { expect, inject, test } from 'vitest'
+import type { Download, FrameLocator, Page } from 'playwright-core'
+import { describe, expect, inject, test } from 'vitest'
+import type { SlideLabElement } from '../../src/elements.ts'
 import { parseExperiment } from '../../src/physics/index.ts'
+import { readAddress } from '../../src/figure/address.ts'
 import { toCsv } from '../../src/figure/share/csv.ts'
 import { toJson } from '../../src/figure/share/texts.ts'
 import { Simulation } from '../../src/figure/simulation.ts'
 import type { LabState } from '../../src/figure/state.ts'
+import { buildElements, serve } from './hosts.ts'
 import { openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
 import { Picture } from './picture.ts'
@@ -47,32 +50,68 @@ test('a copied link opens what is shown, at once after a change', async () => {
   expect(await other.state()).toEqual(await lab.state())
 })
 
-test('the embed code, pasted into a page, shows the figure running', async () => {
-  const lab = await openSharing('scene=spring&angle=12&runners=15;60/rk4')
-  const { page } = lab
-  const code = await copied(lab, 'Copy embed code')
-  await page.setContent(`<!doctype html><title>A page</title><p>Look:</p>${code}`)
-  const frame = page.frameLocator('iframe[title^="Any Frame Rate: spring"]')
-  await frame.locator('slide-stage canvas').waitFor()
-  const state = await frame.locator('slide-lab').evaluate((lab) => (lab as unknown as Lab_).state)
-  expect(state.scene).toBe('spring')
-  expect(state.runners.length).toBe(2)
-  await frame.getByRole('button', { name: 'To the start' }).click()
-  const time = () => frame.getByRole('slider', { name: 'Time' }).inputValue()
-  expect(await time()).toBe('0')
-  await frame.getByRole('button', { name: 'Play' }).click()
-  await expect.poll(async () => Number(await time())).toBeGreaterThan(0)
-  const colours = await frame.locator('slide-stage canvas').evaluate(countColours)
-  expect(colours).toBeGreaterThan(50)
-  // Sandboxed as it is, it can still keep its address.
-  await frame.getByRole('button', { name: 'Located' }).click()
-  const open = page.waitForEvent('popup')
-  await frame.getByRole('link', { name: 'Open in the lab' }).click()
-  const opened = await open
-  await opened.locator('slide-lab .runners').waitFor()
-  expect(opened.url()).toContain('index.html#scene=spring&angle=12&runners=15;60')
-  // Fonts and all came through the sandbox.
-  expect(lab.problems).toEqual([])
+describe('embed code, pasted into a page of another origin, shows the figure running:', () => {
+  const shown = 'scene=spring&angle=12&runners=15;60/rk4'
+
+  async function pasted(form: 'frame' | 'element', module = '') {
+    const lab = await openSharing(shown)
+    const { page } = lab
+    const code = await copied(lab, `Copy embed code: ${form}`)
+    const blog = await serve(() => ({
+      body: `<!doctype html><html lang="en"><meta charset="utf-8"><title>Blog</title><p>Look:</p>${code}</html>`,
+    }))
+    // The module is built apart from the page.
+    const headers = { 'Access-Control-Allow-Origin': '*' }
+    await page.route(new URL('slide-lab.js', inject('address')).href, (route) =>
+      route.fulfill({ contentType: 'text/javascript', body: module, headers }),
+    )
+    await page.goto(blog)
+    const problems = () => lab.problems.filter((each) => !each.includes(blog))
+    return { page, problems, expected: toJson(readAddress(shown)) }
+  }
+
+  /** It stands at the start, and moves on when it is played. */
+  async function expectToRun(place: Page | FrameLocator) {
+    await place.getByRole('button', { name: 'To the start' }).click()
+    const time = () => place.getByRole('slider', { name: 'Time' }).inputValue()
+    expect(await time()).toBe('0')
+    await place.getByRole('button', { name: 'Play' }).click()
+    await expect.poll(async () => Number(await time())).toBeGreaterThan(0)
+    expect(await place.locator('slide-stage canvas').evaluate(countColours)).toBeGreaterThan(50)
+  }
+
+  test('frame', async () => {
+    const { page, problems, expected } = await pasted('frame')
+    const frame = page.frameLocator('iframe[title^="Any Frame Rate: spring"]')
+    await frame.locator('[part=link]').waitFor()
+    const state = await frame.locator('slide-lab').evaluate((lab) => (lab as unknown as Lab_).state)
+    expect(toJson(state)).toBe(expected)
+    await expectToRun(frame)
+    // The script beside it has given it the figure's height.
+    expect(
+      await frame.locator('html').evaluate((html) => html.scrollHeight === window.innerHeight),
+    ).toBe(true)
+    // Sandboxed as it is, it can still keep its address.
+    await frame.getByRole('button', { name: 'Located' }).click()
+    const open = page.waitForEvent('popup')
+    await frame.getByRole('link', { name: 'Open in the lab' }).click()
+    const opened = await open
+    await opened.locator('slide-lab .runners').waitFor()
+    expect(opened.url()).toContain('index.html#scene=spring&angle=12&runners=15;60')
+    // Fonts and all came through the sandbox.
+    expect(problems()).toEqual([])
+  })
+
+  test('element', async () => {
+    const { page, problems, expected } = await pasted('element', buildElements().module)
+    await page.locator('slide-lab [part=link]').waitFor()
+    const shown = await page
+      .locator('slide-lab')
+      .evaluate((lab) => (lab as unknown as SlideLabElement).experiments as unknown[])
+    expect(shown).toEqual(JSON.parse(expected))
+    await expectToRun(page)
+    expect(problems()).toEqual([])
+  })
 })
 
 test('JSON can be copied, and read back', async () => {

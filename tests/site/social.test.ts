@@ -52,14 +52,6 @@ test('the page names a picture of the size that it says, and the site has it', a
   expect(problems).toEqual([])
 })
 
-test('its canonical address is its own, without what a link says of the lab', async () => {
-  const { page } = await openPage({ path: 'index.html#angle=20' })
-  const canonical = await page
-    .locator('link[rel=canonical]')
-    .evaluate((link) => (link as HTMLLinkElement).href)
-  expect(canonical).toBe(inject('address'))
-})
-
 test('the page for lost links leads to the lab, with what the link said of it', async () => {
   const { page, problems } = await openPage({ path: '404.html#angle=20' })
   await page.getByRole('link', { name: 'Open the lab with it' }).click()

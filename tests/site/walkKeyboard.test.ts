@@ -72,7 +72,7 @@ const inOrder = (stops: readonly Focus[]) => [...new Set(stops.map(({ part }) =>
 
 async function loadPlots({ page }: Lab): Promise<void> {
   await page.locator('lab-plots').scrollIntoViewIfNeeded()
-  await page.locator('lab-plots .u-over').first().waitFor()
+  await page.locator('lab-plots canvas.chart').first().waitFor()
   await page.evaluate(() => scrollTo(0, 0))
 }
 

@@ -7,96 +7,99 @@ export interface FigureEntry {
   readonly load: () => Promise<Figure>
 }
 
+/** Together, since they are much alike: loaded one by one they would be half as large again. */
+const all = () => import('./all.ts')
+
 /** Every figure, in the order of the tutorial. */
 export const figures: readonly FigureEntry[] = [
   {
     id: 'falling-ball',
     title: 'A ball that falls by frames',
-    load: () => import('./fallingBall.ts').then((module) => module.fallingBall),
+    load: () => all().then(({ fallingBall }) => fallingBall),
   },
   {
     id: 'forces-on-slope',
     title: 'Three forces and their sum',
-    load: () => import('./forcesOnSlope.ts').then((module) => module.forcesOnSlope),
+    load: () => all().then(({ forcesOnSlope }) => forcesOnSlope),
   },
   {
     id: 'mass-cancels',
     title: 'A light block and a heavy one',
-    load: () => import('./massCancels.ts').then((module) => module.massCancels),
+    load: () => all().then(({ massCancels }) => massCancels),
   },
   {
     id: 'critical-angle',
     title: 'How steep until it slides?',
-    load: () => import('./criticalAngle.ts').then((module) => module.criticalAngle),
+    load: () => all().then(({ criticalAngle }) => criticalAngle),
   },
   {
     id: 'two-become-one',
     title: 'Two dimensions become one',
-    load: () => import('./twoBecomeOne.ts').then((module) => module.twoBecomeOne),
+    load: () => all().then(({ twoBecomeOne }) => twoBecomeOne),
   },
   {
     id: 'area-under-v',
     title: 'The area under the speed',
-    load: () => import('./areaUnderV.ts').then((module) => module.areaUnderV),
+    load: () => all().then(({ areaUnderV }) => areaUnderV),
   },
   {
     id: 'where-does-it-stop',
     title: 'Where will it stop?',
-    load: () => import('./whereDoesItStop.ts').then((module) => module.whereDoesItStop),
+    load: () => all().then(({ whereDoesItStop }) => whereDoesItStop),
   },
   {
     id: 'chatter',
     title: 'The velocity near its stop',
-    load: () => import('./chatter.ts').then((module) => module.chatter),
+    load: () => all().then(({ chatter }) => chatter),
   },
   {
     id: 'three-stops',
     title: 'One kick, three frame rates',
-    load: () => import('./threeStops.ts').then((module) => module.threeStops),
+    load: () => all().then(({ threeStops }) => threeStops),
   },
   {
     id: 'frames-and-ticks',
     title: 'Frames and physics steps',
-    load: () => import('./framesAndTicks.ts').then((module) => module.framesAndTicks),
+    load: () => all().then(({ framesAndTicks }) => framesAndTicks),
   },
   {
     id: 'hitch',
     title: 'One long frame',
-    load: () => import('./hitch.ts').then((module) => module.hitch),
+    load: () => all().then(({ hitch }) => hitch),
   },
   {
     id: 'your-frames',
     title: 'Your own frames',
-    load: () => import('./yourFrames.ts').then((module) => module.yourFrames),
+    load: () => all().then(({ yourFrames }) => yourFrames),
   },
   {
     id: 'half-pipe-energy',
     title: 'Who gains energy, who keeps it?',
-    load: () => import('./halfPipeEnergy.ts').then((module) => module.halfPipeEnergy),
+    load: () => all().then(({ halfPipeEnergy }) => halfPipeEnergy),
   },
   {
     id: 'spring-limit',
     title: 'How stiff is too stiff?',
-    load: () => import('./springLimit.ts').then((module) => module.springLimit),
+    load: () => all().then(({ springLimit }) => springLimit),
   },
   {
     id: 'flung-out',
     title: 'Thrown out by its own method',
-    load: () => import('./flungOut.ts').then((module) => module.flungOut),
+    load: () => all().then(({ flungOut }) => flungOut),
   },
   {
     id: 'speed-against-error',
     title: 'Speed against error',
-    load: () => import('./speedAgainstError.ts').then((module) => module.speedAgainstError),
+    load: () => all().then(({ speedAgainstError }) => speedAgainstError),
   },
   {
     id: 'paper-step',
     title: 'The step as printed, corrected line by line',
-    load: () => import('./paperStep.ts').then((module) => module.paperStep),
+    load: () => all().then(({ paperStep }) => paperStep),
   },
   {
     id: 'break-it',
     title: 'Try to break it',
-    load: () => import('./breakIt.ts').then((module) => module.breakIt),
+    load: () => all().then(({ breakIt }) => breakIt),
   },
 ]

@@ -1,7 +1,7 @@
 import type { Said } from './said.ts'
 
 /** What a formula is made of: a look at the forces, a name, a literal, a sign. */
-const token = /a\(([^()]*)\)|(v\u0304|Δt|[sva][′½₁₂₃₄]?)|(\d+|½)|([()+−/,²])/gu
+const token = /a\(([^()]*)\)|(v\u0304|Δt|[sva](?:[′½]|[₁-₉][₀₁]?)?)|(√?\d+|½)|([()+−/,²])/gu
 
 /**
  * An expression of an integrator's formula with numbers in place of its letters. Products, which formulas write by

@@ -62,7 +62,7 @@ function linesOf({ formula }: Integrator, tried: TriedStep): WrittenLine[] {
       () => looks[next++]!.a,
     )
     if (/^a\([^()]*\)$/u.test(expression)) known[target] = looks[next++]!.a
-    else known[target] ??= looks[next]!.v
+    else known[target] ??= looks[next]![target[0] as 's' | 'v']
     const unit = { s: 'm', v: 'm/s', a: 'm/s²' }[target[0] as 's' | 'v' | 'a']
     const written = { formula: line, numbers, result: known[target], unit }
     return isGuessed ? { ...written, solved: guesses(tried, target) } : written

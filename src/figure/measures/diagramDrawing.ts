@@ -61,7 +61,7 @@ function curve({ curve, spots }: Drawn, chosen: Spot | undefined) {
     pen = point.whole
     return text
   })
-  return svg`<g class="curve" data-method=${method} style="--look: var(--runner-${look})" ?data-chosen=${chosen?.point.method === method}>
+  return svg`<g class="curve" data-method=${method} .style="--look: var(--runner-${look})" ?data-chosen=${chosen?.point.method === method}>
     <path class="line" d=${path.join('')} />
     ${spots.map(({ x, y, point }) => (point.whole ? svgMark(look, x, y, 4.2) : svg`<path class="failure" d="M${round(x - 3.5)} ${round(y - 3.5)}l7 7m0-7l-7 7" />`))}
   </g>`
@@ -70,7 +70,7 @@ function curve({ curve, spots }: Drawn, chosen: Spot | undefined) {
 function label({ right }: DiagramLayout, { curve, spots, labelY }: Drawn) {
   const last = spots.at(-1)
   const x = right + 16
-  return svg`<g class="name" style="--look: var(--runner-${curve.look})">
+  return svg`<g class="name" .style="--look: var(--runner-${curve.look})">
     ${last ? svg`<path class="lead" d="M${round(last.x + 7)} ${round(last.y)}L${right + 7} ${round(labelY)}" />` : nothing}
     ${svgMark(curve.look, x, labelY, 4.6)}
     <text x=${x + 11} y=${labelY + 4}>${curve.label}<tspan class="order" dx="6">${short(curve.order)}</tspan></text>

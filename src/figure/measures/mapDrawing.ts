@@ -71,7 +71,7 @@ export function mapDrawing(
       </text>
     </g>
     ${limit(request, frame)}
-    ${here ? svg`<g class="here" style="--look: var(--runner-${here.look})">${svgMark(here.look, xOf(request, frame, here.column), yOf(request, frame, here.row), 6)}</g>` : nothing}
+    ${here ? svg`<g class="here" .style="--look: var(--runner-${here.look})">${svgMark(here.look, xOf(request, frame, here.column), yOf(request, frame, here.row), 6)}</g>` : nothing}
     ${cross ? crossHair(request, frame, cross) : nothing}
   </svg>`
 }

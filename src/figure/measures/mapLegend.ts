@@ -19,11 +19,11 @@ export function mapLegend(cells: MapCells, dark: boolean, limit: string) {
       <span
         >${request.of === 'error' ? 'largest error of the run' : `distance from the end at ${REFERENCE_RATE} fps`}</span
       >
-      <div class="bar" style="background: ${rampGradient(dark)}"></div>
+      <div class="bar" .style="background: ${rampGradient(dark)}"></div>
       <div class="ramp-ticks" aria-hidden="true">
         ${ticks.map(
           (exponent, i) =>
-            html`<span style="left: ${(100 * i) / (ticks.length - 1)}%"
+            html`<span .style="left: ${(100 * i) / (ticks.length - 1)}%"
               >${(high - exponent) % every === 0 ? `${exponent === HIGHEST ? '≥\u2009' : ''}${metresText(exponent)}` : nothing}</span
             >`,
         )}

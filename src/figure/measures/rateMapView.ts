@@ -152,7 +152,7 @@ export class RateMap extends LitElement {
       ${this.controls()}
       <div
         class="area"
-        style="height: ${height}px"
+        .style="height: ${height}px"
         role="group"
         tabindex="0"
         aria-label="Frame-rate map. The arrow keys move the cross hair, with Shift by ten, Enter shows the run in the lab."
@@ -165,7 +165,7 @@ export class RateMap extends LitElement {
           width=${COLUMNS}
           height=${ROWS}
           aria-hidden="true"
-          style="left: ${left}px; top: ${top}px; width: ${Math.max(0, right - left)}px; height: ${bottom - top}px"
+          .style="left: ${left}px; top: ${top}px; width: ${Math.max(0, right - left)}px; height: ${bottom - top}px"
         ></canvas>
         ${width > 0 ? mapDrawing(request, frame, this.here(), shown) : nothing}
       </div>

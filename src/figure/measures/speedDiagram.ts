@@ -166,7 +166,7 @@ export class SpeedDiagram extends LitElement {
       </div>
       <div
         class="area"
-        style="height: ${height}px"
+        .style="height: ${height}px"
         role="group"
         tabindex="0"
         aria-label="Speed against error. Left and right go along a curve, up and down to another, Enter shows the run in the lab."

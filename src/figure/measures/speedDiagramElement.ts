@@ -1,3 +1,4 @@
+import '../defineMark.ts'
 import { SpeedDiagram } from './speedDiagram.ts'
 
 /* To be imported for the element alone, by the lab and by figures. */

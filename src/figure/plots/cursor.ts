@@ -1,8 +1,10 @@
 import type { Box, Point } from '../../view/geometry.ts'
 import { markOf } from '../../view/marks.ts'
 import type { Palette } from '../../view/palette.ts'
+import { boxOf, clip } from './box.ts'
 import { EXACT } from './curves.ts'
 import type { Drawing } from './curves.ts'
+import { cleared } from './pen.ts'
 import type { Reading } from './readings.ts'
 
 /** What a plot's cursor points at. */
@@ -11,8 +13,6 @@ export interface Pointed {
   /** Of the canvas [px]. */
   readonly width: number
   readonly height: number
-  /** Where the chart has its curves [px]. */
-  readonly box: Box
   /** Of the transport [s]. */
   readonly time: number
   /** Where a pointer is, if it is over a plot [s]. */
@@ -23,18 +23,11 @@ export interface Pointed {
 
 /** Draws the transport's time, that of the pointer, and each runner's mark at its value then. */
 export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette: Palette): void {
-  const { drawing, width, height, box, time, hover, readings } = pointed
-  const pen = canvas.getContext('2d')!
-  const [columns, rows] = [width, height].map((each) => Math.round(each * devicePixelRatio))
-  // Setting a size is slow, even where it changes nothing.
-  if (canvas.width !== columns) canvas.width = columns!
-  if (canvas.height !== rows) canvas.height = rows!
-  pen.setTransform(columns! / width, 0, 0, rows! / height, 0, 0)
-  pen.clearRect(0, 0, width, height)
+  const { drawing, width, height, time, hover, readings } = pointed
+  const pen = cleared(canvas, width, height)
+  const box = boxOf(width, height)
   pen.save()
-  pen.beginPath()
-  pen.rect(box.left - 6, box.top - 6, box.right - box.left + 12, box.bottom - box.top + 12)
-  pen.clip()
+  clip(pen, box, 6)
   if (drawing.stepped) {
     drawLine(pen, drawing, box, time, palette.accent, hover === undefined ? 1.5 : 1)
     if (hover !== undefined) drawLine(pen, drawing, box, hover, palette.ink, 1)

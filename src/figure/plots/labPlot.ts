@@ -2,13 +2,14 @@ import { html, LitElement, nothing } from 'lit'
 import { PaletteReader } from '../../view/palette.ts'
 import type { Palette } from '../../view/palette.ts'
 import type { Simulated } from '../simulation.ts'
+import type { Playback } from '../playback.ts'
 import { onThemeChange } from '../theme.ts'
-import type { Chart } from './chart.ts'
+import { boxOf } from './box.ts'
+import { drawChart } from './chart.ts'
 import { drawCursor, timeAt } from './cursor.ts'
 import { drawingOf } from './curves.ts'
 import type { Drawing } from './curves.ts'
 import type { PlotKind } from './kinds.ts'
-import { loadChart } from './loadChart.ts'
 import { inFull, readingsAt, spoken } from './readings.ts'
 import { plotTable } from './plotTable.ts'
 import { plotValues } from './plotValues.ts'
@@ -22,7 +23,8 @@ const PAUSE = 300
  *
  * - `kind`: which plot
  * - `simulated`: what it shows
- * - `time`: of the transport [s]; `hover`: of the pointer, over whichever plot it is
+ * - `time`: of the transport, as it is read [s]; `playback`: the same at every frame
+ * - `hover`: of the pointer, over whichever plot it is
  * - `selected`: the index of the runner that is drawn stronger
  * - `seek`, `point`: called with the time that is clicked on, and pointed at
  */
@@ -35,11 +37,14 @@ export class LabPlot extends LitElement {
     selected: { attribute: false },
     told: { state: true },
     listed: { state: true },
+    near: { state: true },
   }
 
   declare kind: PlotKind
   declare simulated: Simulated
   declare time: number
+  /** Not reactive: it is the same for good. */
+  declare playback: Playback
   declare hover: number | undefined
   declare selected: number
   /** Not reactive: fresh closures are no reason to draw again. */
@@ -48,10 +53,9 @@ export class LabPlot extends LitElement {
   /** The readings in words, for those who moved the cursor from here. */
   declare private told: string
   declare private listed: boolean
+  /** Whether it has come near the window. */
+  declare private near: boolean
   private readonly colours = new PaletteReader(this)
-  /** Once it is loaded. */
-  private Chart: typeof Chart | undefined
-  private chart: Chart | undefined
   private drawing: Drawing | undefined
   private drawn: unknown[] = []
   private area: HTMLElement | undefined
@@ -64,7 +68,6 @@ export class LabPlot extends LitElement {
     this.requestUpdate()
   })
   private seen = false
-  private wanted = false
   private palette: Palette | undefined
   private timer: ReturnType<typeof setTimeout> | undefined
   private stopWatching = () => {}
@@ -73,6 +76,7 @@ export class LabPlot extends LitElement {
     super()
     this.told = ''
     this.listed = false
+    this.near = false
   }
 
   override createRenderRoot(): this {
@@ -83,7 +87,7 @@ export class LabPlot extends LitElement {
     super.connectedCallback()
     const near = new IntersectionObserver(
       ([entry]) => {
-        if (entry!.isIntersecting) void this.make()
+        if (entry!.isIntersecting) this.near = true
       },
       { rootMargin: '100% 0px' },
     )
@@ -99,7 +103,9 @@ export class LabPlot extends LitElement {
     }
     const stopThemes = onThemeChange(redraw)
     document.fonts.addEventListener('loadingdone', redraw)
+    const stopTime = this.playback.watch(this, 'draw', () => this.drawCursor())
     this.stopWatching = () => {
+      stopTime()
       for (const observer of [near, seen, this.sizes]) observer.disconnect()
       stopThemes()
       document.fonts.removeEventListener('loadingdone', redraw)
@@ -113,13 +119,13 @@ export class LabPlot extends LitElement {
   }
 
   override shouldUpdate(): boolean {
-    return this.seen || !this.hasUpdated || (this.Chart !== undefined && !this.chart)
+    return this.seen || !this.hasUpdated || (this.near && !this.drawing)
   }
 
   override render() {
-    const { kind, simulated, hover, time } = this
+    const { kind, simulated, hover, time, near } = this
     const absent = kind.absent?.(simulated)
-    const readings = this.Chart && !absent ? readingsAt(kind, simulated, hover ?? time) : []
+    const readings = near && !absent ? readingsAt(kind, simulated, hover ?? time) : []
     const { over, title } = kind
     return html`<figure>
       <figcaption>
@@ -135,8 +141,12 @@ export class LabPlot extends LitElement {
         @pointerleave=${() => this.point(undefined)}
         @pointerdown=${this.press}
       >
-        <div class="chart" ?hidden=${absent}></div>
-        <canvas ?hidden=${absent}></canvas>
+        ${
+          near
+            ? html`<canvas class="chart" ?hidden=${absent}></canvas>
+                <canvas class="cursor" ?hidden=${absent}></canvas>`
+            : nothing
+        }
         ${absent ? html`<p class="absent">${absent}</p>` : nothing}
       </div>
       ${plotValues(kind, simulated, readings, this.writeOut)}
@@ -171,36 +181,28 @@ export class LabPlot extends LitElement {
     if (reading) item.title = inFull(kind, reading)
   }
 
-  private async make(): Promise<void> {
-    if (this.wanted) return
-    this.wanted = true
-    this.Chart = await loadChart()
-    this.requestUpdate()
-  }
-
   private draw(): void {
-    const { Chart, kind, simulated, selected, width, height } = this
-    if (!Chart || width === 0 || kind.absent?.(simulated)) return
+    const { near, kind, simulated, selected, width, height } = this
+    if (!near || width === 0 || kind.absent?.(simulated)) return
     const wanted = [simulated, selected, width, height]
-    if (wanted.every((each, i) => each === this.drawn[i])) return this.drawCursor()
-    this.drawn = wanted
-    this.drawing = drawingOf(kind, simulated, width, height)
-    this.palette = this.colours.read()
-    const look = { palette: this.palette, selected, width, height }
-    // The chart draws itself a moment later, and the cursor with it.
-    if (this.chart) this.chart.draw(this.drawing, look)
-    else {
-      const host = this.querySelector<HTMLElement>('.chart')!
-      this.chart = new Chart(host, this.drawing, look, () => this.drawCursor())
+    if (wanted.some((each, i) => each !== this.drawn[i])) {
+      this.drawn = wanted
+      this.drawing = drawingOf(kind, simulated, width, height)
+      this.palette = this.colours.read()
+      const look = { palette: this.palette, selected, width, height }
+      drawChart(this.querySelector('canvas.chart')!, this.drawing, look)
     }
+    this.drawCursor()
   }
 
   private drawCursor(): void {
-    const { chart, drawing, palette, kind, simulated, width, height, time, hover } = this
-    if (!chart || !drawing || !palette) return
+    const { drawing, palette, kind, simulated, width, height, hover } = this
+    const { time } = this.playback
+    const canvas = this.querySelector<HTMLCanvasElement>('canvas.cursor')
+    // Until it has come near, and until the chart shows the same.
+    if (!canvas || !drawing || this.drawn[0] !== simulated || kind.absent?.(simulated)) return
     const readings = readingsAt(kind, simulated, hover ?? time)
-    const pointed = { drawing, box: chart.box, width, height, time, hover, readings }
-    drawCursor(this.querySelector('.area > canvas')!, pointed, palette)
+    drawCursor(canvas, { drawing, width, height, time, hover, readings }, palette!)
   }
 
   private tell(): void {
@@ -226,9 +228,9 @@ export class LabPlot extends LitElement {
   }
 
   private timeOf({ clientX, clientY, currentTarget }: PointerEvent): number | undefined {
-    const { chart, drawing } = this
-    if (!chart || !drawing) return undefined
+    const { drawing, width, height } = this
+    if (!drawing) return undefined
     const { left, top } = (currentTarget as HTMLElement).getBoundingClientRect()
-    return timeAt(drawing, chart.box, { x: clientX - left, y: clientY - top })
+    return timeAt(drawing, boxOf(width, height), { x: clientX - left, y: clientY - top })
   }
 }

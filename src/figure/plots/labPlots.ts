@@ -1,6 +1,7 @@
 import { html, LitElement } from 'lit'
 import { fixed } from '../../view/numbers.ts'
 import type { Simulated } from '../simulation.ts'
+import type { Playback } from '../playback.ts'
 import { plotKinds } from './kinds.ts'
 
 /**
@@ -8,7 +9,7 @@ import { plotKinds } from './kinds.ts'
  * and with the transport.
  *
  * - `simulated`: what they show
- * - `time`: of the transport [s]
+ * - `time`: of the transport, as it is read [s]; `playback`: the same at every frame
  * - `selected`: the index of the runner that is looked at closely
  * - `seek`: called with the time that the reader goes to
  */
@@ -23,6 +24,8 @@ export class LabPlots extends LitElement {
 
   declare simulated: Simulated
   declare time: number
+  /** Not reactive: it is the same for good. */
+  declare playback: Playback
   declare selected: number
   /** Not reactive: a fresh closure is no reason to draw again. */
   declare seek: (time: number) => void
@@ -54,7 +57,9 @@ export class LabPlots extends LitElement {
         </ul>
         <p class="instant">
           ${hover === undefined ? 'values at' : 'values under the pointer, at'}
-          <span>${fixed(time, 3)} s</span>
+          <span .style="width: ${fixed(simulated.state.duration, 3).length + 1}ch"
+            >${fixed(time, 3)} s</span
+          >
         </p>
       </header>
       <div class="segments" role="group" aria-label="Which plot">
@@ -78,6 +83,7 @@ export class LabPlots extends LitElement {
               .kind=${kind}
               .simulated=${simulated}
               .time=${this.time}
+              .playback=${this.playback}
               .hover=${hover}
               .selected=${this.selected}
               .seek=${this.seek}

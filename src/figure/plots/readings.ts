@@ -53,6 +53,11 @@ function reading(
   y: number,
   time: number,
 ): Reading {
-  const text = over ? `${over.text(x)}, ${of.text(y)}` : of.text(y)
-  return { name, look, x, y, text, time }
+  return {
+    ...{ name, look, x, y, time },
+    // Only when it is to be read: cursors are drawn more often.
+    get text() {
+      return over ? `${over.text(x)}, ${of.text(y)}` : of.text(y)
+    },
+  }
 }

@@ -2,9 +2,9 @@ import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../freshId.ts'
 import type { LabView } from '../labView.ts'
 import { toCsv } from './csv.ts'
-import { site } from '../site.ts'
+import { isPublic, site } from '../site.ts'
 import { pictureOf, save } from './save.ts'
-import { embedCode, fileName, linkTo, toJson } from './texts.ts'
+import { elementCode, fileName, frameCode, linkTo, toJson } from './texts.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.
@@ -41,6 +41,10 @@ export class ShareMenu extends LitElement {
   }
 
   override createRenderRoot(): this {
+    // The button that stood for it.
+    const hadFocus = this.matches(':focus-within')
+    this.replaceChildren()
+    if (hadFocus) void this.updateComplete.then(() => this.querySelector('button')!.focus())
     return this
   }
 
@@ -61,7 +65,8 @@ export class ShareMenu extends LitElement {
       </button>
       <div class="panel" id=${this.panelId} ?hidden=${!this.open}>
         ${this.item('Copy link', () => this.copy(linkTo('', site(), this.state)))}
-        ${this.item('Copy embed code', () => this.copy(embedCode(site(), this.state)))}
+        ${this.item('Copy embed code: frame', () => this.embed(frameCode))}
+        ${this.item('Copy embed code: element', () => this.embed(elementCode))}
         ${this.item('Copy as JSON', () => this.copy(toJson(this.state)))}
         ${this.item('Save picture (PNG)', this.savePicture)}
         ${this.item('Save data (CSV)', this.saveData)}
@@ -102,6 +107,12 @@ export class ShareMenu extends LitElement {
 
   private readonly elsewhere = (event: Event): void => {
     if (!event.composedPath().includes(this)) this.close()
+  }
+
+  private embed(code: typeof frameCode): void {
+    if (isPublic()) return void this.copy(code(site(), this.state))
+    this.byHand = ''
+    this.status = 'This page is a file on your computer. One on the web has code to embed it.'
   }
 
   private async copy(text: string): Promise<void> {

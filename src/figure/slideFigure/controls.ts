@@ -15,7 +15,7 @@ export function controlsOf({ figure, values, set }: Face) {
   const shown = Object.entries(figure.controls).filter(([, { hidden }]) => !hidden)
   if (shown.length === 0) return nothing
   const idle = figure.idle?.(values) ?? []
-  return html`<div class="controls">
+  return html`<div class="controls" part="controls">
     ${shown.map(([name, control]) =>
       oneOf(
         control,
@@ -64,11 +64,11 @@ function slider(control: NumberControl, { id, isIdle }: Standing, value: number,
       max=${to}
       step=${step}
       aria-valuetext=${text}
-      style="--filled: ${(value - from) / (to - from)}"
+      .style="--filled: ${(value - from) / (to - from)}"
       .value=${live(String(value))}
       @input=${(event: Event) => pick((event.target as HTMLInputElement).valueAsNumber)}
     />
-    <output for=${id} style="min-width: ${widest}ch">${text}</output>
+    <output for=${id} .style="min-width: ${widest}ch">${text}</output>
   </div>`
 }
 

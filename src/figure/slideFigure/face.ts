@@ -25,12 +25,17 @@ export interface Face {
 export function face(shown: Face) {
   const { figure, values, runs, playback, spoken, guest } = shown
   const says = atNow(playback, (time) => figure.says(values, runs, time))
-  return html`<div class="pictures ${guest ? 'hosted' : ''}" @change=${hush} @input=${hush}>
+  return html`<div
+      part="pictures"
+      class="pictures ${guest ? 'hosted' : ''}"
+      @change=${hush}
+      @input=${hush}
+    >
       ${guest ? withHeading(figure, guest) : pictures(shown)}
     </div>
     <div class="below" @change=${hush} @input=${hush}>
       ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
-      <p class="says">${says}</p>
+      <p class="says" part="outcome">${says}</p>
       <p class="visually-hidden" aria-live="polite">${spoken}</p>
     </div>`
 }
@@ -66,13 +71,13 @@ function hush(event: Event): void {
 function readings({ figure, values, runs, playback }: Face) {
   const { readings } = figure
   if (!readings) return nothing
-  return html`<dl class="readings">
+  return html`<dl class="readings" part="readings">
     ${readings(values, runs, playback.time).map(({ label, raw: whole, colour }, i) => {
       const text = atNow(playback, (time) => readings(values, runs, time)[i]!.text)
       return html`<div>
         <dt>${label}</dt>
         <dd
-          style=${colour ? `color: var(${colour})` : nothing}
+          .style=${colour ? `color: var(${colour})` : ''}
           title=${whole === undefined ? nothing : raw(whole)}
         >
           ${text}

@@ -131,7 +131,7 @@ export class FigurePicture extends LitElement {
       role="slider"
       tabindex="0"
       data-control=${name}
-      style="left: ${x}px; top: ${y}px"
+      .style="left: ${x}px; top: ${y}px"
       aria-label="${control.label}, in the picture"
       aria-valuemin=${control.from}
       aria-valuemax=${control.to}

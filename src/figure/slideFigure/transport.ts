@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { fixed } from '../../view/numbers.ts'
-import { atNow } from '../atNow.ts'
+import { atNow, movedAtNow } from '../atNow.ts'
 import { icon } from '../icons.ts'
 import type { Face } from './face.ts'
 
@@ -17,7 +17,7 @@ export function transportOf({ figure, values, playback, set }: Face) {
     playback.toStart()
     playback.play()
   }
-  return html`<div class="transport-line">
+  return html`<div class="transport-line" part="transport">
     ${
       action
         ? html`<button type="button" class="act" @click=${act}>${action.label(values)}</button>`
@@ -42,8 +42,8 @@ export function transportOf({ figure, values, playback, set }: Face) {
               min="0"
               max=${duration}
               step="any"
-              style="--filled: ${atNow(playback, (time) => time / duration)}"
-              .value=${atNow(playback, (time) => live(String(time)))}
+              .style="--filled: ${movedAtNow(playback, (time) => time / duration)}"
+              .value=${movedAtNow(playback, (time) => live(String(time)))}
               @input=${(event: Event) =>
                 playback.seek((event.target as HTMLInputElement).valueAsNumber)}
             />

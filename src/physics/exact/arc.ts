@@ -1,4 +1,3 @@
-import type { State } from '../scene.ts'
 import type { Piece } from '../track.ts'
 import { DEGREE, crossing, evaluate } from './phase.ts'
 import type { Phase } from './phase.ts'
@@ -50,12 +49,13 @@ export function slideArc(
 
   let x = stepLength()
   const turns = slip * evaluate(speeds, 0, DEGREE - 1, x, end).s <= 0
-  if (turns) x = turningPoint(slip, x, end)
+  // From the far end: where the step starts from v = 0, that is not the one that is meant.
+  if (turns) x = crossing(speeds, DEGREE - 1, 0, x)
   evaluate(c, 0, DEGREE, x, end)
   end.v = turns ? 0 : end.v / unit
 
   if (slip * (end.s - border) > 0) {
-    x = crossing(c, DEGREE, border, 0, x)
+    x = crossing(c, DEGREE, border, x)
     evaluate(c, 0, DEGREE, x, end)
     end.s = border
     end.v = slip * Math.max(0, (slip * end.v) / unit)
@@ -94,12 +94,4 @@ function stepLength(): number {
     if (size * x ** n > small) x = (small / size) ** (1 / n)
   }
   return x
-}
-
-/** Where the speed, along `slip` at first and no more at x, is 0. A start from v = 0 does not count. */
-function turningPoint(slip: 1 | -1, x: number, into: State): number {
-  if (speeds[0] !== 0) return crossing(speeds, DEGREE - 1, 0, 0, x)
-  let low = x / 2
-  while (low > 0 && slip * evaluate(speeds, 0, DEGREE - 1, low, into).s <= 0) low /= 2
-  return low > 0 ? crossing(speeds, DEGREE - 1, 0, low, x) : 0
 }

@@ -37,19 +37,15 @@ export function evaluate(
 const point: State = { s: NaN, v: NaN }
 
 /**
- * Where a polynomial takes a value, between two places where it is on different sides of it: Newton's method, with
+ * Where a polynomial takes a value, between 0 and a place where it is on the other side of it: Newton's method, with
  * bisection wherever that would leave the bracket or not halve the last step (Press et al., Numerical Recipes, rtsafe).
  */
-export function crossing(
-  c: Float64Array,
-  degree: number,
-  target: number,
-  low: number,
-  high: number,
-): number {
-  const falls = evaluate(c, 0, degree, high, point).s < target
-  let x = high
-  let last = high - low
+export function crossing(c: Float64Array, degree: number, target: number, end: number): number {
+  const falls = evaluate(c, 0, degree, end, point).s < target
+  let low = 0
+  let high = end
+  let x = end
+  let last = end
   for (;;) {
     const { s, v } = evaluate(c, 0, degree, x, point)
     const missed = s - target

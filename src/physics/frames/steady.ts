@@ -15,7 +15,6 @@ export const steady = {
 } as const satisfies FrameClock
 
 class SteadyFrames implements Frames {
-  readonly even = true
   duration: number
   time = 0
   private count = 0

@@ -15,14 +15,16 @@ export const explicitEuler = {
   evaluations: { least: 1, most: 1 },
   colour: 0,
   step(motion: Motion): void {
-    const { dt } = motion
     let { s, v } = motion
+    let taken = 0
     do {
+      const { dt } = motion
       // #region step
       const a = motion.acceleration(s, v)
       s = s + v * dt
       v = v + a * dt
       // #endregion
-    } while (motion.goesOn(s, v))
+      taken++
+    } while (motion.goesOn(s, v, taken))
   },
 } as const satisfies Integrator

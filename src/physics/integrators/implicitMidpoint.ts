@@ -17,33 +17,40 @@ export const implicitMidpoint = {
   stability: Infinity,
   symplectic: true,
   evaluations: { least: 1, most: MOST_ITERATIONS },
+  counts: true,
   colour: 6,
   step(motion: Motion): void {
-    const { dt } = motion
-    const half = 0.5 * dt
     let { s, v } = motion
+    let taken = 0
     do {
+      const { dt } = motion
+      const half = 0.5 * dt
       // By how much a guess of v̄ misses its equation; the secant through the last two misses gives the next guess.
       let guess = v
       let miss = half * motion.acceleration(s + half * guess, guess)
       let change = miss
-      let iterations = 1
+      let looks = 1
+      let stuck = false
       while (
         Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) &&
-        iterations < MOST_ITERATIONS
+        looks < MOST_ITERATIONS &&
+        !stuck
       ) {
         guess += change
         const next = v - guess + half * motion.acceleration(s + half * guess, guess)
         // Two guesses that miss alike point nowhere.
-        if (next === miss) iterations = MOST_ITERATIONS
+        if (next === miss) stuck = true
         // The quotient first: the product of two small numbers may underflow, and look as if solved.
         else change *= next / (miss - next)
         miss = next
-        iterations++
+        looks++
       }
-      if (iterations >= MOST_ITERATIONS) motion.leaveUnsolved()
+      motion.keptEvaluations = motion.evaluations
+      motion.evaluations += looks
+      if (stuck || looks === MOST_ITERATIONS) motion.leaveUnsolved()
       s = s + guess * dt
       v = guess + guess - v
-    } while (motion.goesOn(s, v))
+      taken++
+    } while (motion.goesOn(s, v, taken))
   },
 } as const satisfies Integrator

@@ -3,6 +3,7 @@ import { semiImplicitEuler } from './semiImplicitEuler.ts'
 import { velocityVerlet } from './velocityVerlet.ts'
 import { midpoint } from './midpoint.ts'
 import { rk4 } from './rk4.ts'
+import { rk8 } from './rk8.ts'
 import { yoshida4 } from './yoshida4.ts'
 import { implicitMidpoint } from './implicitMidpoint.ts'
 
@@ -13,6 +14,7 @@ export const integrators = [
   velocityVerlet,
   midpoint,
   rk4,
+  rk8,
   yoshida4,
   implicitMidpoint,
 ] as const

@@ -14,13 +14,15 @@ export const midpoint = {
   evaluations: { least: 2, most: 2 },
   colour: 3,
   step(motion: Motion): void {
-    const { dt } = motion
     let { s, v } = motion
+    let taken = 0
     do {
+      const { dt } = motion
       const vHalf = v + 0.5 * dt * motion.acceleration(s, v)
       const aHalf = motion.acceleration(s + 0.5 * dt * v, vHalf)
       s = s + vHalf * dt
       v = v + aHalf * dt
-    } while (motion.goesOn(s, v))
+      taken++
+    } while (motion.goesOn(s, v, taken))
   },
 } as const satisfies Integrator

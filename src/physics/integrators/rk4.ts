@@ -22,10 +22,11 @@ export const rk4 = {
   evaluations: { least: 4, most: 4 },
   colour: 4,
   step(motion: Motion): void {
-    const { dt } = motion
-    const half = 0.5 * dt
     let { s, v } = motion
+    let taken = 0
     do {
+      const { dt } = motion
+      const half = 0.5 * dt
       const a1 = motion.acceleration(s, v)
       const v2 = v + half * a1
       const a2 = motion.acceleration(s + half * v, v2)
@@ -35,6 +36,7 @@ export const rk4 = {
       const a4 = motion.acceleration(s + dt * v3, v4)
       s = s + (dt * (v + 2 * (v2 + v3) + v4)) / 6
       v = v + (dt * (a1 + 2 * (a2 + a3) + a4)) / 6
-    } while (motion.goesOn(s, v))
+      taken++
+    } while (motion.goesOn(s, v, taken))
   },
 } as const satisfies Integrator

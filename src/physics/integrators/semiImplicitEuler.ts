@@ -15,13 +15,15 @@ export const semiImplicitEuler = {
   evaluations: { least: 1, most: 1 },
   colour: 1,
   step(motion: Motion): void {
-    const { dt } = motion
     let { s, v } = motion
+    let taken = 0
     do {
+      const { dt } = motion
       // #region step
       v = v + motion.acceleration(s, v) * dt
       s = s + v * dt
       // #endregion
-    } while (motion.goesOn(s, v))
+      taken++
+    } while (motion.goesOn(s, v, taken))
   },
 } as const satisfies Integrator

@@ -20,22 +20,24 @@ export const velocityVerlet = {
   evaluations: { least: 1, most: 2 },
   colour: 2,
   step(motion: Motion): void {
-    const { dt, reusable } = motion
+    const { reusable } = motion
     let { s, v } = motion
-    if (!motion.known) motion.a = motion.acceleration(s, v)
+    if (motion.known === 0) motion.a = motion.acceleration(s, v)
     let { a } = motion
     let before = a
+    let taken = 0
     for (;;) {
+      const { dt } = motion
       // #region step
       before = a
       s = s + (v + 0.5 * before * dt) * dt
       a = motion.acceleration(s, v + before * dt)
       v = v + 0.5 * (before + a) * dt
       // #endregion
-      if (!motion.goesOn(s, v)) break
+      if (!motion.goesOn(s, v, ++taken)) break
       // This step's a′ is the next step's a, unless the force looks at the velocity.
-      if (!reusable) a = motion.acceleration(s, v)
+      if (reusable === 0) a = motion.acceleration(s, v)
     }
-    motion.a = motion.left > 0 ? before : a
+    motion.a = motion.taken < motion.asked ? before : a
   },
 } as const satisfies Integrator

@@ -4,7 +4,6 @@ import type { Motion } from '../motion.ts'
 const CUBE_ROOT_OF_2 = 1.2599210498948732
 const OUTER = 1 / (2 - CUBE_ROOT_OF_2)
 const INNER = -CUBE_ROOT_OF_2 * OUTER
-const PARTS = [OUTER, INNER, OUTER]
 
 /** Three Verlet steps, forward, back and forward again, whose errors cancel (Yoshida, 1990). */
 export const yoshida4 = {
@@ -21,24 +20,27 @@ export const yoshida4 = {
   evaluations: { least: 3, most: 6 },
   colour: 5,
   step(motion: Motion): void {
-    const { dt, reusable } = motion
+    const { reusable } = motion
     let { s, v } = motion
-    if (!motion.known) motion.a = motion.acceleration(s, v)
+    if (motion.known === 0) motion.a = motion.acceleration(s, v)
     let { a } = motion
     let first = a
+    let taken = 0
     for (;;) {
+      const outer = OUTER * motion.dt
+      const inner = INNER * motion.dt
       first = a
-      for (let i = 0; i < PARTS.length; i++) {
-        const part = PARTS[i]! * dt
-        if (i > 0 && !reusable) a = motion.acceleration(s, v)
+      for (let i = 0; i < 3; i++) {
+        const part = i === 1 ? inner : outer
+        if (i > 0 && reusable === 0) a = motion.acceleration(s, v)
         const before = a
         s = s + (v + 0.5 * before * part) * part
         a = motion.acceleration(s, v + before * part)
         v = v + 0.5 * (before + a) * part
       }
-      if (!motion.goesOn(s, v)) break
-      if (!reusable) a = motion.acceleration(s, v)
+      if (!motion.goesOn(s, v, ++taken)) break
+      if (reusable === 0) a = motion.acceleration(s, v)
     }
-    motion.a = motion.left > 0 ? first : a
+    motion.a = motion.taken < motion.asked ? first : a
   },
 } as const satisfies Integrator

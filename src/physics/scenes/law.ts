@@ -1,9 +1,11 @@
 import type { Law } from '../law.ts'
 
-/** The law of a block on which nothing acts: what a scene starts from and adds to. */
-export function freely(mass: number): Law {
+/** What a scene's law starts from, before it adds its forces. */
+type Start = Omit<Law, 'forces'>
+
+/** The law of a block that nothing touches. */
+export function freely(mass: number): Start {
   return {
-    forces: [{ drive: 0, press: 0 }],
     mass,
     muStatic: 0,
     muKinetic: 0,
@@ -17,7 +19,7 @@ export function freely(mass: number): Law {
 }
 
 /** The law of a block that rubs. Static friction is never taken below kinetic: a block that is held can't be braked into moving. */
-export function rubbing(mass: number, muStatic: number, muKinetic: number): Law {
+export function rubbing(mass: number, muStatic: number, muKinetic: number): Start {
   return {
     ...freely(mass),
     muStatic: Math.max(muStatic, muKinetic),

@@ -56,7 +56,7 @@ export const runOut = {
   facing: 1,
   law: (parameters: RunOutParameters): Law => {
     const { gravity, mass, muStatic, muKinetic } = parameters
-    const [slope, bend, flat] = track(parameters)
+    const [slope, bend] = track(parameters)
     const direction = new SinCos()
     return {
       ...rubbing(mass, muStatic, muKinetic),
@@ -68,7 +68,7 @@ export const runOut = {
           block.drive = gravity * direction.sin
           block.press = gravity * direction.cos + block.v * block.v * bend.curvature
         },
-        { drive: gravity * flat.sin, press: gravity * flat.cos },
+        { drive: 0, press: gravity },
       ],
       dependsOnSpeed: muKinetic > 0,
       turnMatters: true,

@@ -24,7 +24,7 @@ export const clamped = {
       motion.v = 0
       // Friction brings a block to a stop; it does not push it back beyond where the step began.
       if (slip > 0 ? motion.s < motion.startS : motion.s > motion.startS) motion.s = motion.startS
-      motion.known = false
+      motion.known = 0
     }
     motion.elapsed = motion.dt
     settle(motion)

@@ -1,5 +1,6 @@
 import type { Integrator } from '../integrator.ts'
 import type { Motion } from '../motion.ts'
+import { enterPiece } from '../piece.ts'
 import { settle } from '../settle.ts'
 import type { StoppingRule } from '../stoppingRule.ts'
 import { locate } from './locate.ts'
@@ -36,7 +37,7 @@ export const located = {
 function advanceToJump(motion: Motion, integrator: Integrator): void {
   const { slip } = motion
   // A step that ended at a joint to the bit left the block on the piece behind it.
-  if ((slip > 0 ? motion.s >= motion.to : motion.s <= motion.from) && !motion.enterPiece()) {
+  if ((slip > 0 ? motion.s >= motion.to : motion.s <= motion.from) && !enterPiece(motion)) {
     motion.end('left-the-track')
     return
   }
@@ -52,12 +53,12 @@ function advanceToJump(motion: Motion, integrator: Integrator): void {
   }
   if (turned) {
     motion.v = 0
-    motion.known = false
+    motion.known = 0
   }
   motion.elapsed += motion.dt
   settle(motion)
   if (joint && motion.moving) {
     motion.slip = joint === 'to' ? 1 : -1
-    if (!motion.enterPiece()) motion.end('left-the-track')
+    if (!enterPiece(motion)) motion.end('left-the-track')
   }
 }

@@ -13,6 +13,7 @@ export const naive = {
   keepsOrder: false,
   holdsSlip: false,
   advance(motion: Motion, integrator: Integrator): void {
+    motion.elapsed = 0
     motion.begin()
     integrator.step(motion)
     motion.elapsed = motion.dt

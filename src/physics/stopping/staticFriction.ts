@@ -1,4 +1,5 @@
 import type { Motion } from '../motion.ts'
+import { enterPiece } from '../piece.ts'
 
 /**
  * Decides for a block with v = 0 whether it stays: it does while |drive| ≤ μs press. Otherwise its slip direction becomes
@@ -16,7 +17,7 @@ export function setsOff(motion: Motion): boolean {
   }
   motion.slip = motion.drive > 0 ? 1 : -1
   // At a joint it sets off into the piece on that side.
-  motion.enterPiece()
+  enterPiece(motion)
   return true
 }
 // #endregion

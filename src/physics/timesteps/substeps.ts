@@ -24,10 +24,8 @@ export const substeps = {
       const length = run.frameDuration / wanted
       run.motion.dt = length
       run.step(count)
-      if (count < wanted) {
-        lost.add((wanted - count) * length)
-        run.lostTime = lost.value
-      }
+      lost.add((wanted - count) * length)
+      run.lostTime = lost.value
       run.stateTime = run.time - run.lostTime
     }
   },

@@ -2,10 +2,14 @@ import { resolve } from 'node:path'
 import { runnerImport } from 'vite'
 import type { Plugin } from 'vite'
 import type * as Load from './load.ts'
+import { styleClasses } from './styleClasses.ts'
 
 /** What stands in index.html in place of the tutorial, and of the lab's still. */
 const TUTORIAL = '<!-- tutorial -->'
 const LAB = '<!-- lab -->'
+
+/** The styles that single elements of the text have. */
+const STYLES = '/tutorial-styles.css'
 
 /**
  * Puts the tutorial into the page: the text of src/tutorial/text, its numbers, its figures’ stills. In development a
@@ -15,9 +19,12 @@ export function tutorial(): Plugin {
   let root = ''
   /** What the page was made of last. */
   let sources = new Set<string>()
+  let styles = ''
   return {
     name: 'tutorial',
     configResolved: (config) => void (root = config.root),
+    resolveId: (id) => (id.startsWith(STYLES) ? id : null),
+    load: (id) => (id.startsWith(STYLES) ? styles : null),
     transformIndexHtml: {
       order: 'pre',
       handler: async (html, { server }) => {
@@ -31,7 +38,11 @@ export function tutorial(): Plugin {
         server?.watcher.add([texts, ...sources])
         const ids = [...html.matchAll(/\sid="([^"]+)"/g)].map((match) => match[1]!)
         const { article, lab } = module.loadPage(root, ids)
-        return html.replace(TUTORIAL, () => article).replace(LAB, () => lab)
+        const filled = html.replace(TUTORIAL, () => article).replace(LAB, () => lab)
+        const page = styleClasses(filled)
+        styles = page.css
+        const link = `<link rel="stylesheet" href="${STYLES}" />`
+        return page.html.replace('</head>', `${link}</head>`)
       },
     },
     handleHotUpdate: ({ file, server }) => {

@@ -4,7 +4,13 @@ import { readAddress } from '../../../src/figure/address.ts'
 import { experimentOf } from '../../../src/figure/check.ts'
 import { opening } from '../../../src/figure/opening.ts'
 import { presets } from '../../../src/figure/presets/index.ts'
-import { embedCode, fileName, linkTo, toJson } from '../../../src/figure/share/texts.ts'
+import {
+  elementCode,
+  fileName,
+  frameCode,
+  linkTo,
+  toJson,
+} from '../../../src/figure/share/texts.ts'
 import { changed } from '../../../src/figure/state.ts'
 
 const site = 'https://any.example/lab/index.html?from=here'
@@ -20,15 +26,33 @@ test('a link is the address of the page with the state behind it', () => {
     expect(readAddress(new URL(linkTo('', site, shown.state)).hash.slice(1))).toEqual(shown.state)
 })
 
-test('the embed code is a sandboxed frame with a name', () => {
-  const code = embedCode(site, steep)
-  expect(code).toMatch(/^<iframe src="[^"]*" title="[^"]*" [^<>]*><\/iframe>$/)
-  expect(code).toContain('src="https://any.example/lab/embed.html#angle=40&amp;mass=2"')
-  expect(code).toContain('title="Any Frame Rate: ramp, 10 fps, 30 fps, 120 fps"')
-  expect(code).toContain('width="100%"')
-  expect(code).toContain('loading="lazy"')
-  expect(code).toMatch(/sandbox="allow-scripts[ "]/)
-  expect(code).not.toContain('allow-same-origin')
+test('the code for a frame is a sandboxed frame with a name, and the script that sizes it', () => {
+  const [frame, script] = frameCode(site, steep).split('\n')
+  expect(frame).toMatch(/^<iframe src="[^"]*" title="[^"]*" [^<>]*><\/iframe>$/)
+  expect(frame).toContain('src="https://any.example/lab/embed.html#angle=40&amp;mass=2"')
+  expect(frame).toContain('title="Any Frame Rate: ramp, 10 fps, 30 fps, 120 fps"')
+  expect(frame).toContain('width="100%"')
+  expect(frame).toContain('loading="lazy"')
+  expect(frame).toMatch(/sandbox="allow-scripts[ "]/)
+  expect(frame).not.toContain('allow-same-origin')
+  expect(frame).not.toContain('style=')
+  expect(script).toBe('<script src="https://any.example/lab/embed-resize.js" async></script>')
+})
+
+test('the code for an element says what is run, and no more than it must', () => {
+  const [script, element] = elementCode(site, steep).split('\n')
+  expect(script).toBe('<script type="module" src="https://any.example/lab/slide-lab.js"></script>')
+  expect(element).toMatch(
+    /^<slide-lab compact experiment='\[\{"scene":"ramp","parameters":\{"angle":40/,
+  )
+  expect(element).not.toContain('gravity')
+  for (const { shown } of presets) {
+    const { state } = shown
+    const [, experiment] = /experiment='([^']*)'/.exec(elementCode(site, state))!
+    expect((JSON.parse(experiment!) as unknown[]).map(parseExperiment)).toEqual(
+      state.runners.map((runner) => parseExperiment(experimentOf(state, runner))),
+    )
+  }
 })
 
 test('JSON is a list of experiments that are read back, or the one there is', () => {

@@ -1,0 +1,20 @@
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { describe, expect, it } from 'vitest'
+import equivalents from './equivalents.json'
+import result from './result.json'
+
+const physics = join(import.meta.dirname, '../../src/physics')
+
+describe('the list of mutants that change nothing', () => {
+  it.each(equivalents)('$file: $line', ({ file, line, why }) => {
+    const lines = readFileSync(join(physics, file), 'utf8').replaceAll(/ as const\b/g, '')
+    expect(lines.split('\n').some((each) => each.includes(line))).toBe(true)
+    expect(why).toMatch(/^[A-Z].*\.$/)
+  })
+
+  it('holds all survivors, and at most a tenth of the mutants', () => {
+    expect(result.survived).toBe(0)
+    expect(result.percent).toBeGreaterThanOrEqual(90)
+  })
+})

@@ -1,0 +1,86 @@
+/** What each scene's law tells a step that it may rely on. */
+import { describe, expect, it } from 'vitest'
+import { exactMotion, scenes, simulate } from '../../src/physics/index.ts'
+import type { Scene, SceneId } from '../../src/physics/index.ts'
+
+/** The law of a scene at its defaults, but for some parameters. */
+function lawOf(id: SceneId, given: Record<string, number> = {}) {
+  const scene: Scene = scenes.find((each) => each.id === id)!
+  const initial = Object.entries(scene.parameters).map(([name, { initial }]) => [name, initial])
+  return scene.law({ ...(Object.fromEntries(initial) as Record<string, number>), ...given })
+}
+
+const smooth = { muStatic: 0, muKinetic: 0 }
+
+describe('a law', () => {
+  it('takes static friction for no less than kinetic', () => {
+    for (const id of ['ramp', 'run-out', 'half-pipe', 'spring'] as const) {
+      expect(lawOf(id, { muStatic: 0.1, muKinetic: 0.4 })).toMatchObject({
+        muStatic: 0.4,
+        muKinetic: 0.4,
+      })
+      expect(lawOf(id, { muStatic: 0.5, muKinetic: 0.4, mass: 3 })).toMatchObject({
+        muStatic: 0.5,
+        muKinetic: 0.4,
+        mass: 3,
+      })
+    }
+    expect(lawOf('fall', { mass: 3 })).toMatchObject({ muStatic: 0, muKinetic: 0, mass: 3 })
+  })
+
+  it('says that a turn matters where friction or drag changes with it, or the track has joints', () => {
+    for (const id of ['ramp', 'half-pipe', 'spring'] as const) {
+      expect(lawOf(id, smooth).turnMatters, id).toBe(false)
+      expect(lawOf(id, { ...smooth, muStatic: 0.1 }).turnMatters, id).toBe(true)
+      expect(lawOf(id, { ...smooth, muKinetic: 0.1 }).turnMatters, id).toBe(true)
+    }
+    expect(lawOf('fall').turnMatters).toBe(false)
+    expect(lawOf('fall', { drag: 0.1 }).turnMatters).toBe(true)
+    expect(lawOf('run-out', smooth).turnMatters).toBe(true)
+  })
+
+  it('says that a force depends on the speed under drag, and under friction where the track bends', () => {
+    expect(lawOf('fall').dependsOnSpeed).toBe(false)
+    expect(lawOf('fall', { drag: 0.1 }).dependsOnSpeed).toBe(true)
+    for (const id of ['ramp', 'spring'] as const) expect(lawOf(id).dependsOnSpeed, id).toBe(false)
+    for (const id of ['run-out', 'half-pipe'] as const) {
+      expect(lawOf(id, smooth).dependsOnSpeed, id).toBe(false)
+      expect(lawOf(id, { muKinetic: 0.1 }).dependsOnSpeed, id).toBe(true)
+    }
+  })
+
+  it('knows where its track has joints, and that only the pipe has ends', () => {
+    const ends = scenes.map(({ id }) => [id, lawOf(id).joints.length, lawOf(id).open])
+    expect(ends).toEqual([
+      ['fall', 0, false],
+      ['ramp', 0, false],
+      ['run-out', 2, false],
+      ['half-pipe', 2, true],
+      ['spring', 0, false],
+    ])
+    expect(lawOf('half-pipe', { radius: 3 }).joints).toEqual([-1.5 * Math.PI, 1.5 * Math.PI])
+    const [top, foot] = lawOf('run-out', { angle: 60, length: 2, bendRadius: 3 }).joints
+    expect(top).toBe(2)
+    expect(foot).toBeCloseTo(2 + Math.PI, 14)
+    for (const { id } of scenes) expect(lawOf(id).forces.length).toBe(lawOf(id).joints.length + 1)
+  })
+
+  it('bounds the speed far above what is real, closely for a spring', () => {
+    for (const id of ['fall', 'ramp', 'run-out', 'half-pipe'] as const)
+      expect(lawOf(id).speedLimit).toBe(1e15)
+    expect(lawOf('spring', { stiffness: 0 }).speedLimit).toBe(1e15)
+    // ω = 3/s: 3 · 2 m/s from where it starts, 9.81 · sin 30°/3 from the slope, 5 m/s of its own.
+    const { speedLimit } = lawOf('spring', { stiffness: 18, mass: 2, position: -2, speed: -5 })
+    expect(speedLimit).toBeCloseTo(1000 * (6 + 9.81 / 6 + 5), 8)
+  })
+})
+
+describe('a ball without drag', () => {
+  it('turns inside a step without being looked at', () => {
+    const thrown = { scene: 'fall', parameters: { speed: -3.3 }, duration: 1 } as const
+    const { evaluations, frames, s } = simulate(thrown)
+    // One for the first step, and one in each, which serves the next.
+    expect(evaluations).toBe(frames + 1)
+    expect(s[60]).toBeCloseTo(exactMotion(thrown)(1, { s: 0, v: 0 }).s, 13)
+  })
+})

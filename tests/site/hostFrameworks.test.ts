@@ -1,0 +1,231 @@
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import type { Page } from 'playwright-core'
+import { build } from 'vite'
+import { afterAll, beforeAll, describe, expect, test } from 'vitest'
+import type { SlideFigureElement, SlideLabElement } from '../../src/elements.ts'
+import { buildElements, openAt, serve } from './hosts.ts'
+
+/* The elements in pages that React and Vue make: what is set comes down, what happens comes up, and it ends. */
+
+/**
+ * The same page in both. `window.put` changes what the page knows; `window.known` is what it knows by now, and
+ * `window.renders` how often it has rendered itself.
+ */
+const apps = {
+  React: `
+    import { createElement as h, StrictMode, useState } from 'react'
+    import { createRoot } from 'react-dom/client'
+    import './slide-lab.js'
+    window.renders = 0
+    function App() {
+      const [known, set] = useState(window.start)
+      const put = (part) => set((before) => ({ ...before, ...part }))
+      Object.assign(window, { known, put })
+      window.renders++
+      return h('main', null,
+        h('h1', null, 'React ', known.time.toFixed(2)),
+        known.shown && h('slide-lab', {
+          compact: true,
+          // A new object each time, as people write it.
+          experiment: known.experiment && JSON.parse(JSON.stringify(known.experiment)),
+          fps: known.fps,
+          onchange: ({ detail }) => put({ experiment: detail.experiments, fps: null }),
+          ontimeupdate: ({ detail }) => put({ time: detail.time }),
+          onerror: ({ detail }) => put({ error: detail.message }),
+        }, h('p', null, 'Blocks on a ramp')),
+        known.shown && h('slide-figure', {
+          name: known.name,
+          values: { ...known.values },
+          onchange: ({ detail }) => put({ values: detail }),
+          onerror: ({ detail }) => put({ error: detail.message }),
+        }, h('p', null, 'A picture'), h('em', { slot: 'caption' }, 'Fig. ', known.time.toFixed(1))),
+      )
+    }
+    createRoot(document.querySelector('#app')).render(h(StrictMode, null, h(App)))`,
+  Vue: `
+    import { createApp, shallowRef } from 'vue/dist/vue.esm-bundler.js'
+    import './slide-lab.js'
+    window.renders = 0
+    const known = shallowRef(window.start)
+    window.known = window.start
+    const put = (part) => { window.known = known.value = { ...known.value, ...part } }
+    window.put = put
+    const app = createApp({
+      setup: () => ({ known, put, copy: (value) => value && JSON.parse(JSON.stringify(value)) }),
+      beforeUpdate: () => { window.renders++ },
+      template: \`<main>
+        <h1>Vue {{ known.time.toFixed(2) }}</h1>
+        <slide-lab v-if="known.shown" compact :experiment="copy(known.experiment)" :fps="known.fps"
+          @change="put({ experiment: $event.detail.experiments, fps: null })"
+          @timeupdate="put({ time: $event.detail.time })"
+          @error="put({ error: $event.detail.message })"><p>Blocks on a ramp</p></slide-lab>
+        <slide-figure v-if="known.shown" :name="known.name" :values="copy(known.values)"
+          @change="put({ values: $event.detail })" @error="put({ error: $event.detail.message })"
+          ><p>A picture</p><em slot="caption">Fig. {{ known.time.toFixed(1) }}</em></slide-figure>
+      </main>\`,
+    })
+    app.config.compilerOptions.isCustomElement = (tag) => tag.startsWith('slide-')
+    app.mount('#app')`,
+}
+
+const start = {
+  experiment: { scene: 'ramp', parameters: { angle: 20 } },
+  fps: null,
+  name: 'area-under-v',
+  values: { step: 0.5 },
+  shown: true,
+  time: 0,
+  error: '',
+}
+
+const root = join(import.meta.dirname, '../..')
+const cache = join(root, 'node_modules/.cache')
+let folder: string
+
+beforeAll(() => {
+  mkdirSync(cache, { recursive: true })
+  folder = mkdtempSync(join(cache, 'hosts-'))
+  writeFileSync(join(folder, 'slide-lab.js'), buildElements().module)
+}, 180_000)
+
+afterAll(() => rmSync(folder, { recursive: true, force: true }))
+
+async function bundled(name: keyof typeof apps): Promise<string> {
+  const input = join(folder, `${name}.js`)
+  writeFileSync(input, apps[name])
+  const built = await build({
+    ...{ root: folder, configFile: false, logLevel: 'silent' },
+    // The libraries' development builds, which complain.
+    define: {
+      'process.env.NODE_ENV': '"development"',
+      __VUE_OPTIONS_API__: 'true',
+      __VUE_PROD_DEVTOOLS__: 'false',
+      __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: 'false',
+    },
+    build: { write: false, minify: false, rolldownOptions: { input } },
+  })
+  const { output } = built as { output: { code: string }[] }
+  return output[0]!.code
+}
+
+type Known = Omit<typeof start, 'experiment'> & {
+  experiment: Record<string, unknown> | Record<string, unknown>[] | null
+}
+type Host = { known: Known; put: (part: object) => void; renders: number }
+
+async function openApp(name: keyof typeof apps) {
+  const code = await bundled(name)
+  const html = `<!doctype html><html lang="en"><title>${name}</title><div id="app"></div>
+    <script>window.start = ${JSON.stringify(start)}</script><script type="module" src="app.js"></script></html>`
+  const address = await serve((path) =>
+    path === 'app.js' ? { body: code, type: 'text/javascript' } : { body: html },
+  )
+  const opened = await openAt(address)
+  const { page } = opened
+  await page.locator('slide-figure[live]').waitFor()
+  return { ...opened, address, ...reading(page) }
+}
+
+function reading(page: Page) {
+  return {
+    put: (part: object) =>
+      page.evaluate((part) => (window as unknown as Host).put(part), part as Record<string, never>),
+    known: () => page.evaluate(() => (window as unknown as Host).known),
+    renders: () => page.evaluate(() => (window as unknown as Host).renders),
+    shown: () =>
+      page
+        .locator('slide-lab')
+        .evaluate(
+          (lab) =>
+            JSON.parse(JSON.stringify((lab as unknown as SlideLabElement).experiments)) as Shown[],
+        ),
+    values: () =>
+      page
+        .locator('slide-figure')
+        .evaluate((figure) => (figure as unknown as SlideFigureElement).values),
+  }
+}
+
+type Shown = { parameters: { angle: number }; stopping: string; frames: { fps: number } }
+
+describe.each(['React', 'Vue'] as const)('%s', (name) => {
+  test('what is set comes down, and what the reader does comes up and stays', async () => {
+    const host = await openApp(name)
+    const { page, put, known, shown, values, renders } = host
+    expect(await shown()).toMatchObject([{ parameters: { angle: 20 }, frames: { fps: 60 } }])
+    expect(await values()).toMatchObject({ step: 0.5 })
+    await put({ experiment: { scene: 'ramp', parameters: { angle: 35 } }, fps: '12 24' })
+    await expect.poll(shown).toMatchObject([
+      { parameters: { angle: 35 }, frames: { fps: 12 } },
+      { parameters: { angle: 35 }, frames: { fps: 24 } },
+    ])
+    await expect.poll(async () => (await known()).fps).toBe(null)
+
+    await page.getByRole('button', { name: 'Clamped' }).click()
+    await expect
+      .poll(async () => (await known()).experiment)
+      .toMatchObject([{ stopping: 'clamped' }, { stopping: 'clamped' }])
+    await page.locator('slide-figure').getByRole('slider').last().press('ArrowRight')
+    await expect.poll(async () => (await known()).values).toMatchObject({ step: 0.51 })
+
+    // The page renders itself at every instant, and that takes nothing back.
+    await page.locator('slide-lab').getByRole('button', { name: 'To the start' }).click()
+    await page.locator('slide-lab').getByRole('button', { name: 'Play' }).click()
+    await expect.poll(async () => (await known()).time).toBeGreaterThan(0.1)
+    expect(await shown()).toMatchObject([{ stopping: 'clamped' }, { stopping: 'clamped' }])
+    expect(await values()).toMatchObject({ step: 0.51 })
+    await page
+      .locator('slide-lab')
+      .evaluate((lab) => (lab as unknown as SlideLabElement).playback.pause())
+
+    // What goes up and comes down again asks for nothing more.
+    const settled = await page.evaluate(async () => {
+      const frames = async (count: number) => {
+        for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame)
+      }
+      await frames(10)
+      const before = (window as unknown as Host).renders
+      await frames(10)
+      return (window as unknown as Host).renders - before
+    })
+    expect(settled).toBe(0)
+    expect(await renders()).toBeGreaterThan(5)
+    expect(host.problems()).toEqual([])
+  })
+
+  test('what can’t be run is an event and a message, and goes when it is mended', async () => {
+    const { page, put, known, shown, problems } = await openApp(name)
+    await put({ experiment: { scene: 'ramp', parameters: { angle: 900 } } })
+    const alert = page.locator('slide-lab').getByRole('alert')
+    await expect.poll(() => alert.innerText()).toContain('900 is not in')
+    expect((await known()).error).toContain('experiment.parameters.angle')
+    await put({ experiment: { scene: 'ramp', parameters: { angle: 9 } } })
+    await expect.poll(shown).toMatchObject([{ parameters: { angle: 9 } }])
+    expect(await alert.count()).toBe(0)
+    await put({ values: { stepp: 1 } })
+    const figure = page.locator('slide-figure')
+    await expect.poll(() => figure.getByRole('alert').innerText()).toContain('no control “stepp”')
+    await put({ values: { step: 0.3 }, name: 'no-such' })
+    await expect.poll(() => figure.getByRole('alert').innerText()).toContain('no figure “no-such”')
+    expect((await known()).error).toContain('no-such')
+    await put({ values: {}, name: 'mass-cancels' })
+    await expect.poll(() => figure.getAttribute('aria-label')).toBe('A light block and a heavy one')
+    expect(await figure.getByRole('alert').count()).toBe(0)
+    expect(problems()).toEqual([])
+  })
+
+  test('it comes and goes with the page, which keeps what it has put in it', async () => {
+    const { page, put, shown, problems } = await openApp(name)
+    for (let i = 0; i < 20; i++) {
+      await put({ shown: false })
+      await expect.poll(() => page.locator('slide-lab, slide-figure').count()).toBe(0)
+      await put({ shown: true, time: i })
+      await page.locator('slide-figure[live]').waitFor()
+    }
+    expect(await page.getByText('Fig. 19.0').isVisible()).toBe(true)
+    expect(await page.getByText('A picture').isVisible()).toBe(false)
+    expect(await shown()).toMatchObject([{ parameters: { angle: 20 } }])
+    expect(problems()).toEqual([])
+  })
+})

@@ -1,0 +1,306 @@
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import type { Page } from 'playwright-core'
+import { beforeAll, describe, expect, test } from 'vitest'
+import { buildElements, openAt, serve } from './hosts.ts'
+
+/* The elements in pages of plain HTML: whatever those do, both go on as they were. */
+
+let module: string
+beforeAll(() => {
+  ;({ module } = buildElements())
+}, 180_000)
+
+type Options = Parameters<typeof openAt>[2] & { head?: string; root?: string }
+
+/** A page of somebody else's, with the module below its text at `slide-lab.js`, and under any other name too. */
+async function openHost(body: string, { head = '', root = '', ...options }: Options = {}) {
+  const html = `<!doctype html><html lang="de" ${root}><head><meta charset="utf-8"><title>Blog</title>${head}</head>
+    <body>${body}<script type="module" src="slide-lab.js"></script></body></html>`
+  const address = await serve((path) =>
+    path.endsWith('.js') ? { body: module, type: 'text/javascript' } : { body: html },
+  )
+  return openAt(address, [], options)
+}
+
+const lab = '<slide-lab compact></slide-lab>'
+const figure = '<slide-figure name="area-under-v"></slide-figure>'
+const spread = (page: Page) => page.locator('slide-lab .spread output').first().innerText()
+
+test.each(['before', 'after'])('the module %s the markup', async (where) => {
+  const head = where === 'before' ? '<script type="module" src="slide-lab.js"></script>' : ''
+  const { page, problems } = await openHost(lab + figure, { head })
+  await page.locator('slide-figure[live]').waitFor()
+  expect(await spread(page)).toBe('0.23\u2009m')
+  expect(problems()).toEqual([])
+})
+
+test('README’s example', async () => {
+  const readme = readFileSync(join(import.meta.dirname, '../../README.md'), 'utf8')
+  const [, example] = /```html\n([^]*?slide-figure[^]*?)```/.exec(readme)!
+  const { page, problems } = await openHost(example!)
+  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-lab [part=link]').waitFor()
+  expect(await page.getByText('Fig. 1').isVisible()).toBe(true)
+  expect(await page.getByRole('alert').count()).toBe(0)
+  expect(problems()).toEqual([])
+})
+
+test.each([
+  ['slide-lab', 'experiment', '{'],
+  ['slide-lab', 'experiment', '[]'],
+  ['slide-lab', 'experiment', '{"scene":"ramp","parameters":{"angle":"steep"}}'],
+  ['slide-lab', 'scene', 'moon'],
+  ['slide-lab', 'fps', 'fast'],
+  ['slide-lab', 'fps', '1 2 3 4 5 6 7 8 9'],
+  ['slide-lab', 'integrator', 'euler'],
+  ['slide-lab', 'stopping', 'never'],
+  ['slide-lab', 'timestep', 'fixd'],
+  ['slide-lab', 'timestep', '{"kind":"fixed","step":-1}'],
+  ['slide-lab', 'duration', '-1'],
+  ['slide-figure', 'name', 'nobody'],
+  ['slide-figure', 'values', '{'],
+  ['slide-figure', 'values', '5'],
+  ['slide-figure', 'values', '{"step":"long"}'],
+])('%s %s=%j is told of, in the element and by an event', async (tag, name, value) => {
+  const { page, problems } = await openHost(
+    `<${tag} ${name === 'name' ? '' : 'name="area-under-v"'} ${name}='${value}'></${tag}>`,
+    {
+      head: `<script>
+        window.told = []
+        addEventListener('error', ({ detail }) => told.push(detail.message), true)
+      </script>`,
+    },
+  )
+  const alert = page.getByRole('alert')
+  await alert.waitFor()
+  const told = () => page.evaluate(() => (window as unknown as { told: string[] }).told)
+  await expect.poll(told).toHaveLength(1)
+  const [message] = await told()
+  expect(message!.length).toBeGreaterThan(15)
+  expect(await alert.innerText()).toContain(message!.split('\n')[0])
+  if (tag === 'slide-lab') expect(message).toMatch(new RegExp(`^${name}`))
+  // What there is without it is there.
+  if (name !== 'name') expect(await page.locator(`${tag} canvas`).first().isVisible()).toBe(true)
+  expect(problems()).toEqual([])
+})
+
+test('what stands between the tags is there until the elements are, and captions stay', async () => {
+  let letGo = () => {}
+  const held = new Promise<void>((done) => (letGo = done))
+  const inside = (tag: string, more: string) =>
+    `<${tag} ${more}><p>Instead of ${tag}</p><p slot="caption">Under ${tag}</p></${tag}>`
+  const address = await serve(async (path) => {
+    if (path !== 'slide-lab.js')
+      return {
+        body: `<!doctype html><title>Blog</title><script type="module" src="slide-lab.js"></script>
+          ${inside('slide-lab', 'compact')}<div style="height: 300vh"></div>${inside('slide-figure', 'name="area-under-v"')}`,
+      }
+    await held
+    return { body: module, type: 'text/javascript' }
+  })
+  const opening = openAt(address)
+  // The page is not loaded before its module is.
+  setTimeout(letGo, 300)
+  const { page, problems } = await opening
+  const seen = (text: string) => page.getByText(text).isVisible()
+  await page.locator('slide-lab .sheet').waitFor()
+  expect(await seen('Instead of slide-lab')).toBe(false)
+  expect(await seen('Under slide-lab')).toBe(true)
+  // Far from the window it is not alive.
+  expect(await seen('Instead of slide-figure')).toBe(true)
+  await page.locator('slide-figure').scrollIntoViewIfNeeded()
+  await page.locator('slide-figure[live]').waitFor()
+  expect(await seen('Instead of slide-figure')).toBe(false)
+  expect(await seen('Under slide-figure')).toBe(true)
+  expect(await page.locator('slide-figure').evaluate(({ children }) => children.length)).toBe(2)
+  expect(problems()).toEqual([])
+})
+
+test('without scripts the page’s own words stand there', async () => {
+  const { page } = await openHost('<slide-lab><p>A picture of it</p></slide-lab>', {
+    javaScriptEnabled: false,
+  })
+  expect(await page.getByText('A picture of it').isVisible()).toBe(true)
+})
+
+test('many on a page: each is its own, and none works when nothing moves', async () => {
+  const { page, problems } = await openHost(lab.repeat(10) + figure.repeat(10))
+  await page.locator('slide-lab').nth(3).getByRole('button', { name: 'Located' }).click()
+  await expect
+    .poll(() => page.locator('slide-lab').nth(3).locator('.spread output').innerText())
+    .toMatch(/^0/)
+  expect(await spread(page)).toBe('0.23\u2009m')
+  for (const each of await page.locator('slide-figure').all()) {
+    await each.scrollIntoViewIfNeeded()
+    await expect.poll(() => each.getAttribute('live')).not.toBe(null)
+  }
+  await page.locator('slide-lab:not([gliding])').nth(9).waitFor()
+  const asked = await page.evaluate(async () => {
+    const next = requestAnimationFrame
+    const frames = async (count: number) => {
+      for (let i = 0; i < count; i++) await new Promise((done) => next(done))
+    }
+    await frames(30)
+    let asked = 0
+    window.requestAnimationFrame = (callback) => {
+      asked++
+      return next(callback)
+    }
+    await frames(20)
+    return asked
+  })
+  expect(asked).toBe(0)
+  expect(problems()).toEqual([])
+})
+
+test('the module twice, from two places', async () => {
+  const { page, problems } = await openHost(lab + figure, {
+    head: '<script type="module" src="old/slide-lab.js"></script><script type="module" src="new/slide-lab.js?2"></script>',
+  })
+  await page.locator('slide-figure[live]').waitFor()
+  expect(await spread(page)).toBe('0.23\u2009m')
+  expect(problems()).toEqual([])
+})
+
+test('elements of the page with everyday names are left alone', async () => {
+  const names = [
+    'share-menu',
+    'runner-row',
+    'frame-strip',
+    'quantity-control',
+    'figure-picture',
+    'rate-map',
+  ]
+  const theirs = (names: string[]) => `
+    for (const name of ${JSON.stringify(names)})
+      customElements.define(name, class extends HTMLElement {
+        connectedCallback() { this.textContent = 'theirs' }
+      })`
+  const { page, problems } = await openHost(
+    `<slide-lab></slide-lab>${figure}${names.map((name) => `<${name}></${name}>`).join('')}`,
+    { head: `<script>${theirs(names.slice(0, 3))}</script>` },
+  )
+  await page.locator('slide-lab').getByRole('button', { name: 'Share' }).click()
+  expect(await page.getByRole('button', { name: 'Copy link' }).isVisible()).toBe(true)
+  await page.addScriptTag({ content: theirs(names.slice(3)) })
+  for (const name of names) expect(await page.locator(`body > ${name}`).innerText()).toBe('theirs')
+  expect(problems()).toEqual([])
+})
+
+/** The place of everything that is in the elements, relative to them. */
+function layout(page: Page) {
+  return page.evaluate(() =>
+    [...document.querySelectorAll('slide-lab, slide-figure')].flatMap((host) => {
+      const { left, top } = host.getBoundingClientRect()
+      return [...host.shadowRoot!.querySelectorAll(':not(option)')].map((each) => {
+        const box = each.getBoundingClientRect()
+        const place = [box.left - left, box.top - top, box.width, box.height]
+        return `${each.localName} ${place.map((value) => Math.round(10 * value) / 10).join(' ')}`
+      })
+    }),
+  )
+}
+
+test.each([
+  [
+    'everything as the browser has it',
+    '',
+    '* { all: revert !important; } script { display: none !important }',
+  ],
+  [
+    'another size of everything',
+    '',
+    'html { font-size: 40px } body { font: italic 60px/3 fantasy; }',
+  ],
+  ['the size of a tenth', '', 'html { font-size: 62.5% }'],
+  [
+    'letters',
+    '',
+    '* { letter-spacing: 5px; word-spacing: 1em; text-transform: uppercase; text-indent: 3em; white-space: pre }',
+  ],
+  [
+    'boxes',
+    '',
+    '* { box-sizing: content-box; padding: 0; border-width: 0 } * > * { line-height: 4 }',
+  ],
+  ['animations', '', '* { transition: all 3s; animation: none; }'],
+  ['from right to left', 'dir="rtl"', ''],
+  [
+    'variables',
+    '',
+    ':root { --accent: 1; --size: 99px; --ink: none; --sans: 4; --runner-0: x; --slide-unit: 50px }',
+  ],
+])('styles of the page that set %s change nothing in the elements', async (_, root, css) => {
+  const box =
+    '#box { display: block; width: 640px; margin: 0; padding: 0 } #box > * { display: block }'
+  const body = `<div id="box">${lab}${figure}</div>`
+  const open = async (root: string, css: string) => {
+    const { page, problems } = await openHost(body, {
+      root,
+      head: `<style>${css}</style><style>${box.replaceAll(/; | }/g, ' !important$&')}</style>`,
+    })
+    await page.locator('slide-figure[live]').waitFor()
+    await page.locator('slide-lab [part=link]').waitFor()
+    return { page, problems }
+  }
+  const plain = await open('', '')
+  const wild = await open(root, css)
+  const expected = await layout(plain.page)
+  expect(expected.length).toBeGreaterThan(60)
+  await expect.poll(() => layout(wild.page)).toEqual(expected)
+  expect(wild.problems()).toEqual([])
+})
+
+describe('light and dark', () => {
+  const sheet = (page: Page) =>
+    page
+      .locator('.sheet')
+      .first()
+      .evaluate((each) => getComputedStyle(each).backgroundColor)
+  // From theme.css.
+  const LIGHT = 'rgb(255, 255, 255)'
+  const DARK = 'rgb(27, 32, 38)'
+
+  test.each([
+    ['', 'light', LIGHT],
+    ['', 'dark', LIGHT],
+    ['color-scheme: dark', 'light', DARK],
+    ['color-scheme: light', 'dark', LIGHT],
+    ['color-scheme: light dark', 'light', LIGHT],
+    ['color-scheme: light dark', 'dark', DARK],
+  ] as const)('in a page of %j and a system of %s', async (style, colorScheme, expected) => {
+    const { page } = await openHost(lab, { root: `style="${style}"`, colorScheme })
+    await page.locator('.sheet').waitFor()
+    expect(await sheet(page)).toBe(expected)
+  })
+
+  test('both change with the page, pictures too, and in a shadow root', async () => {
+    const { page, problems } = await openHost('<article></article>', { colorScheme: 'light' })
+    await page.evaluate((lab) => {
+      document.querySelector('article')!.attachShadow({ mode: 'open' }).innerHTML = lab
+    }, lab)
+    await page.locator('.sheet').waitFor()
+    const corner = () =>
+      page.locator('slide-stage canvas').evaluate((canvas) => {
+        const one = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!
+        one.drawImage(canvas as HTMLCanvasElement, -2, 3 - (canvas as HTMLCanvasElement).height)
+        return [...one.getImageData(0, 0, 1, 1).data].join()
+      })
+    const set = (scheme: string) =>
+      page.evaluate((scheme) => (document.documentElement.style.colorScheme = scheme), scheme)
+    // The ground, from theme.css.
+    await expect.poll(corner).toBe('239,236,228,255')
+    await set('dark')
+    await expect.poll(() => sheet(page)).toBe(DARK)
+    await expect.poll(corner).toBe('36,43,51,255')
+    await set('light dark')
+    await expect.poll(() => sheet(page)).toBe(LIGHT)
+    await page.emulateMedia({ colorScheme: 'dark' })
+    await expect.poll(() => sheet(page)).toBe(DARK)
+    await page.locator('slide-lab').evaluate((lab) => lab.setAttribute('theme', 'light'))
+    await expect.poll(() => sheet(page)).toBe(LIGHT)
+    await expect.poll(corner).toBe('239,236,228,255')
+    expect(problems()).toEqual([])
+  })
+})
