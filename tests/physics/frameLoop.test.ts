@@ -151,6 +151,17 @@ describe('a run that the caller drives', () => {
     expect(game.frameDuration).toBe(1 / 60)
   })
 
+  it('has diverged where no real motion gets to, at a speed that one may have', () => {
+    const game = createRun({ scene: 'fall' })
+    game.frame(1e11)
+    expect(game.outcome.kind).toBe('moving')
+    // ½ · 9.81 · 10²⁴ m, at 10¹³ m/s.
+    game.frame(9e11)
+    expect(game.outcome.kind).toBe('diverged')
+    expect(game.motion.s).toBeGreaterThan(1e24)
+    expect(game.motion.s).toBeLessThan(1e25)
+  })
+
   it('goes on stepping a block at rest without moving it', () => {
     const game = createRun({ scene: 'ramp', parameters: { angle: 0, speed: 1 } })
     for (let i = 0; i < 120; i++) game.frame(1 / 60)

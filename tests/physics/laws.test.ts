@@ -84,3 +84,22 @@ describe('a ball without drag', () => {
     expect(s[60]).toBeCloseTo(exactMotion(thrown)(1, { s: 0, v: 0 }).s, 13)
   })
 })
+
+describe('friction under the naive rule', () => {
+  it('has no direction at v = 0, as the sign of 0 has none', () => {
+    for (const [angle, position] of [
+      [30, 0],
+      [10, 3],
+    ] as const) {
+      const experiment = {
+        scene: 'ramp',
+        parameters: { angle, position, muStatic: 0.5, muKinetic: 0.5 },
+        integrator: 'explicit-euler',
+        stopping: 'naive',
+        duration: 1 / 60,
+      } as const
+      const [, v] = simulate(experiment).v
+      expect(v).toBeCloseTo((9.81 * Math.sin((angle * Math.PI) / 180)) / 60, 14)
+    }
+  })
+})

@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
 import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
@@ -17,7 +19,12 @@ import type { MapRequest } from '../../src/measure/index.ts'
 import { opening } from '../../src/figure/opening.ts'
 import { simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
+import type { Report } from '../../src/report/schema.ts'
 import { openLab } from './labPage.ts'
+
+const report = JSON.parse(
+  readFileSync(join(import.meta.dirname, '../../public/report/report.json'), 'utf8'),
+) as Report
 
 const { scene, parameters, duration } = opening
 const shared = { scene, parameters, duration } as Experiment
@@ -402,8 +409,12 @@ describe('what was measured elsewhere', () => {
     const lab = await openMeasures()
     await lab.page.locator('measured-report summary').click()
     await lab.page.locator('measured-report table').first().waitFor()
-    expect(await lab.page.locator('measured-report table').count()).toBe(3)
-    expect(await lab.page.locator('measured-report').innerText()).toContain('Measured on')
+    expect(await lab.page.locator('measured-report table').count()).toBe(4)
+    const text = await lab.page.locator('measured-report').innerText()
+    expect(text).toContain('Measured on')
+    // What was asked for and where the time went are the report's own.
+    for (const { label } of report.targets) expect(text).toContain(label)
+    for (const { what } of report.profiles) expect(text).toContain(what)
     expect(lab.problems).toEqual([])
   })
 

@@ -14,7 +14,7 @@ const poster = `
     position: static; width: auto; height: auto; margin: 0 40px; clip-path: none;
     font: 400 48px/1.2 var(--serif)
   }
-  html { background: var(--paper) }
+  html, body { background: var(--paper) !important }
   slide-lab .sheet { min-height: 0 !important; border: 0; border-radius: 0 }
   slide-lab .opening { padding: 6px 40px 10px; border: 0; background: var(--paper) }
   .spread { flex: 1; flex-direction: row; align-items: baseline; justify-content: space-between }

@@ -1,5 +1,6 @@
 import { html, LitElement, nothing } from 'lit'
 import type { Report } from '../../../report/schema.ts'
+import { aims } from './aims.ts'
 import { engineErrors } from './engineErrors.ts'
 import { engineTimes } from './engineTimes.ts'
 import { fetchReport } from './fetchReport.ts'
@@ -43,6 +44,7 @@ export class MeasuredReport extends LitElement {
   private content(report: Report) {
     return html`${machineLine(report)} ${stepTimes(report)} ${engineTimes(report)}
     ${engineErrors(report, this.clock || report.peers.clocks[0]!, (clock) => (this.clock = clock))}
+    ${aims(report)}
     ${
       report.notRun.length > 0
         ? html`<p>
