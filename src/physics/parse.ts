@@ -31,17 +31,22 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
     ? reader.id('scene', given.scene, scenes)
     : undefined
   const scene: Scene | undefined = sceneId === undefined ? undefined : entry(scenes, sceneId)
+  const {
+    parameters = {},
+    integrator = defaults.integrator,
+    stopping = defaults.stopping,
+    timestep = defaults.timestep,
+    frames = defaults.frames,
+    duration = scene?.duration ?? 0,
+  } = given
   const experiment = {
     scene: sceneId!,
-    parameters: scene ? reader.options('parameters', given.parameters ?? {}, scene.parameters) : {},
-    integrator: reader.id('integrator', given.integrator ?? defaults.integrator, integrators),
-    stopping: reader.id('stopping', given.stopping ?? defaults.stopping, stoppings),
-    timestep: reader.choice('timestep', given.timestep ?? defaults.timestep, timesteps),
-    frames: reader.choice('frames', given.frames ?? defaults.frames, frameClocks),
-    duration: reader.number('duration', given.duration ?? scene?.duration ?? 0, {
-      min: 0,
-      max: limits.duration,
-    }),
+    parameters: scene ? reader.options('parameters', parameters, scene.parameters) : {},
+    integrator: reader.id('integrator', integrator, integrators),
+    stopping: reader.id('stopping', stopping, stoppings),
+    timestep: reader.choice('timestep', timestep, timesteps),
+    frames: reader.choice('frames', frames, frameClocks),
+    duration: reader.number('duration', duration, { min: 0, max: limits.duration }),
   } as ResolvedExperiment
   if (reader.problems.length === 0) {
     const conflict = scene!.conflict?.(experiment.parameters)
@@ -187,12 +192,8 @@ class Reader {
     value: unknown,
     list: readonly { readonly id: string; readonly options: Options }[],
   ): unknown {
-    if (
-      typeof value !== 'object' ||
-      value === null ||
-      Array.isArray(value) ||
-      !Object.hasOwn(value, 'kind')
-    ) {
+    // What else may be wrong with it, `options` says.
+    if (value === null || !Object.hasOwn(value as object, 'kind')) {
       this.report(path, `${show(value)} is not an object with a kind, one of ${ids(list)}`)
       return undefined
     }

@@ -142,10 +142,11 @@ function wrongPaths(value: unknown): string[] {
   if (!isObject(value)) return ['']
   const known = ['scene', 'parameters', 'integrator', 'stopping', 'timestep', 'frames', 'duration']
   unknownKeys('', value, known, wrong)
-  const get = (key: string) => (Object.hasOwn(value, key) ? value[key] : undefined)
+  const get = (key: string, usual?: unknown): unknown =>
+    Object.hasOwn(value, key) && value[key] !== undefined ? value[key] : usual
   const scene = (scenes as readonly Scene[]).find(({ id }) => id === get('scene'))
   if (!scene) wrong.push('scene')
-  const parameters = get('parameters') ?? {}
+  const parameters = get('parameters', {})
   if (scene && isObject(parameters)) {
     unknownKeys('parameters.', parameters, Object.keys(scene.parameters), wrong)
     wrongOptions('parameters.', parameters, scene.parameters, wrong)
@@ -154,14 +155,14 @@ function wrongPaths(value: unknown): string[] {
     ['integrator', integrators],
     ['stopping', stoppings],
   ] as const) {
-    const given = get(key) ?? list[0].id
+    const given = get(key, list[0].id)
     if (!list.some(({ id }) => id === given)) wrong.push(key)
   }
   for (const [key, list, usual] of [
     ['timestep', timesteps, { kind: 'variable' }],
     ['frames', frameClocks, { kind: 'steady', fps: 60 }],
   ] as const) {
-    const given = get(key) ?? usual
+    const given = get(key, usual)
     if (!isObject(given) || !Object.hasOwn(given, 'kind')) {
       wrong.push(key)
       continue
@@ -174,7 +175,7 @@ function wrongPaths(value: unknown): string[] {
     unknownKeys(`${key}.`, given, ['kind', ...Object.keys(chosen.options)], wrong)
     wrongOptions(`${key}.`, given, chosen.options, wrong)
   }
-  const duration = get('duration') ?? 0
+  const duration = get('duration', 0)
   if (!(typeof duration === 'number' && duration >= 0 && duration <= limits.duration))
     wrong.push('duration')
   return wrong

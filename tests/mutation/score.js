@@ -38,7 +38,7 @@ function isListed(name, line, replacement) {
   return found !== undefined
 }
 
-export function score() {
+function score() {
   const report = JSON.parse(read(cache))
   const total = { killed: 0, timeout: 0, equivalent: 0, survived: 0 }
   const files = {}

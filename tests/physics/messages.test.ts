@@ -61,7 +61,10 @@ describe('a refusal', () => {
       'parameters: a list of 0 is not an object with any of gravity, mass, drag, position, speed',
     ],
     [{ scene: 'ramp', frames: 60 }, `frames: 60 is not an object with a kind, one of ${CLOCKS}`],
-    [{ scene: 'ramp', frames: null }, ''],
+    [
+      { scene: 'ramp', frames: null },
+      `frames: null is not an object with a kind, one of ${CLOCKS}`,
+    ],
     [
       { scene: 'ramp', frames: ['steady'] },
       `frames: a list of 1 is not an object with a kind, one of ${CLOCKS}`,

@@ -87,6 +87,17 @@ describe('parseExperiment', () => {
     },
   )
 
+  it.each(['parameters', 'integrator', 'stopping', 'timestep', 'frames', 'duration'])(
+    'takes null for no %s: only what is left out has a default',
+    (key) => {
+      expect(() => parseExperiment({ scene: 'ramp', [key]: null })).toThrow(
+        new RegExp(`^${key}: null `),
+      )
+      const left = parseExperiment({ scene: 'ramp', [key]: undefined })
+      expect(left).toEqual(parseExperiment({ scene: 'ramp' }))
+    },
+  )
+
   it('suggests the nearest name', () => {
     expect(problems({ scene: 'half pipe' }).scene).toMatch(/did you mean half-pipe\?/)
     expect(problems({ scene: 'ramp', integrator: 'verlet' }).integrator).toMatch(

@@ -13,9 +13,9 @@ import { median, timeRounds } from '../timing/rounds.ts'
 import type { Care, Work } from '../timing/rounds.ts'
 import type { Problem } from './problems.ts'
 
-/** Steps a second: from as few as a method of high order can do with to far beyond any screen, about √2 apart. */
+/** Steps a second: from as few as a method of high order can do with to far beyond any screen, about half as many again each. */
 export const rates: readonly number[] = Array.from({ length: 13 }, (_, i) => 2 ** i).flatMap(
-  (power) => [2.5 * power, 3.5 * power],
+  (power) => [2 * power, 3 * power],
 )
 
 /** The error is looked at in frames, of one step each up to here and of 2, 4, 8 … beyond. */

@@ -1,0 +1,29 @@
+import { expect, it } from 'vitest'
+import { simulate, timesteps } from '../../src/physics/index.ts'
+import type { FramesChoice, Timestep } from '../../src/physics/index.ts'
+import { entry } from '../../src/physics/lists.ts'
+import type { TimestepPolicy } from '../../src/physics/timestepPolicy.ts'
+
+const choices: Timestep[] = [
+  { kind: 'per-frame', step: 1 / 60 },
+  { kind: 'variable' },
+  { kind: 'capped', cap: 0.01 },
+  { kind: 'substeps', step: 1 / 250 },
+  { kind: 'substeps', step: 1 },
+  { kind: 'fixed', step: 1 / 250 },
+  { kind: 'fixed', step: 1 / 250, maxSteps: 2 },
+]
+
+it.each(choices)('a policy tells how many steps a run takes, at the most: %o', (timestep) => {
+  const policy: TimestepPolicy = entry(timesteps, timestep.kind)
+  for (const frames of [
+    { kind: 'steady', fps: 60 },
+    { kind: 'hitch', fps: 60, every: 0.5, length: 0.3 },
+  ] satisfies FramesChoice[]) {
+    const { experiment, steps, frames: count } = simulate({ scene: 'fall', timestep, frames })
+    const told = policy.steps(experiment.timestep as never, experiment.duration, count)
+    expect(steps).toBeLessThanOrEqual(told)
+    // Each frame may round up to a step more, and dropped steps are told as well.
+    expect(told).toBeLessThanOrEqual(steps + count)
+  }
+})
