@@ -2,6 +2,7 @@ import { resolve } from 'node:path'
 import { defineConfig } from 'vite'
 import type { Plugin } from 'vite'
 import { head } from './src/tutorial/build/head.ts'
+import { inlineStyles } from './src/tutorial/build/inlineStyles.ts'
 import { tutorial } from './src/tutorial/build/plugin.ts'
 
 export default defineConfig({
@@ -9,7 +10,7 @@ export default defineConfig({
   base: './',
   // A missing file is a 404, not the front page.
   appType: 'mpa',
-  plugins: [tutorial(), preloaded(), sharingWorker(), head()],
+  plugins: [tutorial(), preloaded(), sharingWorker(), head(), inlineStyles('/index.html')],
   build: {
     target: 'es2022',
     // What does it for every figure would be longer than the wait for one.

@@ -4,6 +4,7 @@ import type { Values } from '../figure/figures/control.ts'
 import { SlideFigure } from '../figure/slideFigure.ts'
 import { Shadow } from './shadow.ts'
 import { inUnits } from './styles.ts'
+import { themeProblem } from './themeProblem.ts'
 
 type Given = Readonly<Record<string, unknown>> | string | null
 
@@ -29,7 +30,7 @@ type Given = Readonly<Record<string, unknown>> | string | null
  * @fires {CustomEvent<Values>} change - A control has changed, by the reader or by the page. It bubbles.
  * @fires {CustomEvent<{ time: number }>} timeupdate - The instant shown has moved [s]; while it plays, as long as it can be
  * seen.
- * @fires {CustomEvent<{ message: string }>} error - There is no such figure, control or value.
+ * @fires {CustomEvent<{ message: string }>} error - There is no such figure, control, value or theme.
  * @slot - Shown until the figure is alive, and where there are no scripts.
  * @slot caption - Shown below.
  * @csspart pictures - All pictures, side by side or one under the other.
@@ -37,7 +38,7 @@ type Given = Readonly<Record<string, unknown>> | string | null
  * @csspart transport - Playing, and the time slider.
  * @csspart readings - Numbers that come of it.
  * @csspart outcome - What comes of it, in a sentence.
- * @csspart message - There is no such figure, control or value.
+ * @csspart message - There is no such figure, control, value or theme.
  * @cssprop --size - The text size that all other sizes go by; the reader's own, if nothing is said.
  * @cssprop --font-text, --font-controls - Typefaces: of large numbers and of letters in formulas, and of all else.
  * @cssprop --accent, --on-accent - What can be pressed and dragged, and what is written on it.
@@ -54,11 +55,12 @@ export class SlideFigureElement extends SlideFigure {
     ...SlideFigure.properties,
     values: { noAccessor: true, hasChanged: () => true },
     theme: { reflect: true },
-    problem: { state: true },
+    problems: { state: true },
   }
 
   declare theme: string | null
-  declare private problem: string
+  /** What is told of now, by the attribute that it is in. */
+  declare private problems: Readonly<Record<string, string>>
   readonly #shadow = new Shadow(this)
   #given: Given = null
   /** Of these, what the figure has been asked for. */
@@ -66,7 +68,7 @@ export class SlideFigureElement extends SlideFigure {
 
   constructor() {
     super()
-    this.problem = ''
+    this.problems = {}
     this.#shadow.root.append(document.createElement('slot'))
     this.playback.watch(this, 'write', () => {
       const { time } = this.playback
@@ -92,7 +94,8 @@ export class SlideFigureElement extends SlideFigure {
   override shouldUpdate(changed: PropertyValues): boolean {
     if (changed.get('name') !== undefined) this.wakeAnew()
     else if (changed.has('values') && this.view) this.#take()
-    return this.problem !== '' || super.shouldUpdate(changed)
+    if (changed.has('theme') && this.view) this.#noteTheme()
+    return Object.keys(this.problems).length > 0 || super.shouldUpdate(changed)
   }
 
   override update(changed: PropertyValues): void {
@@ -102,23 +105,25 @@ export class SlideFigureElement extends SlideFigure {
   }
 
   override render() {
-    const { problem, view } = this
-    return html`${
-      problem ? html`<p class="problem" part="message" role="alert">${problem}</p>` : nothing
-    }${view ? super.render() : nothing}`
+    const { problems, view } = this
+    return html`${Object.values(problems).map(
+      (problem) => html`<p class="problem" part="message" role="alert">${problem}</p>`,
+    )}${view ? super.render() : nothing}`
   }
 
   protected override async comeAlive(): Promise<void> {
     const { root } = this.#shadow
     this.#taken = null
-    this.problem = ''
+    this.#note('values', '')
     try {
       await super.comeAlive()
+      this.#note('name', '')
       root.style.cssText = inUnits(root.style.cssText)
       this.#take()
     } catch (error) {
-      this.#refuse((error as Error).message)
+      this.#note('name', (error as Error).message)
     }
+    this.#noteTheme()
     root.toggleAttribute('live', true)
   }
 
@@ -133,14 +138,22 @@ export class SlideFigureElement extends SlideFigure {
       const { values } = this
       if (wanted.some(([name, value]) => JSON.stringify(value) !== JSON.stringify(values[name])))
         this.set(Object.fromEntries(wanted))
-      this.problem = ''
+      this.#note('values', '')
     } catch (error) {
-      this.#refuse(`values: ${(error as Error).message}`)
+      this.#note('values', `values: ${(error as Error).message}`)
     }
   }
 
-  #refuse(message: string): void {
-    this.problem = message
-    this.dispatchEvent(new CustomEvent('error', { detail: { message } }))
+  #noteTheme(): void {
+    const problem = themeProblem(this.theme)
+    this.#note('theme', problem && `theme: ${problem}`)
+  }
+
+  /** Tells of what is wrong with an attribute, or with '' that nothing is. */
+  #note(attribute: string, message: string): void {
+    const { [attribute]: before = '', ...others } = this.problems
+    if (message === before) return
+    this.problems = message ? { ...others, [attribute]: message } : others
+    if (message) this.dispatchEvent(new CustomEvent('error', { detail: { message } }))
   }
 }

@@ -7,6 +7,7 @@ import { experimentOf } from '../figure/check.ts'
 import { SlideLab } from '../figure/slideLab.ts'
 import type { LabState } from '../figure/state.ts'
 import { Shadow } from './shadow.ts'
+import { themeProblem } from './themeProblem.ts'
 
 /** The properties that ask for something, by the names that `Asked` has for them. */
 const asking = [
@@ -98,6 +99,7 @@ export class SlideLabElement extends SlideLab {
   declare private problems: readonly Problem[]
   readonly #shadow = new Shadow(this)
   #duration: unknown
+  #refused: readonly Problem[] = []
   /** What the page has been told of, or had asked for itself at first. */
   #known: string | undefined
 
@@ -140,7 +142,15 @@ export class SlideLabElement extends SlideLab {
   }
 
   override willUpdate(changed: PropertyValues): void {
-    if (!asking.some((name) => changed.has(name))) return
+    const isAsked = asking.some((name) => changed.has(name))
+    if (isAsked) this.#refused = this.#ask()
+    if (!isAsked && !changed.has('theme')) return
+    const message = themeProblem(this.theme)
+    this.problems = [...this.#refused, ...(message ? [{ path: 'theme', message }] : [])]
+  }
+
+  /** Runs what is asked for; if that can't be run, the problems with it are returned. */
+  #ask(): readonly Problem[] {
     try {
       const state = stateAsked({
         ...Object.fromEntries(asking.map((name) => [name, this[name]])),
@@ -149,10 +159,10 @@ export class SlideLabElement extends SlideLab {
       // What is there already stays, with all that readers have done to it.
       if (JSON.stringify(experimentsOf(state)) !== JSON.stringify(this.experiments))
         this.open(state, '')
-      this.problems = []
+      return []
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
-      this.problems = error.problems
+      return error.problems
     }
   }
 
@@ -171,7 +181,7 @@ export class SlideLabElement extends SlideLab {
     return html`${
       lines.length > 0
         ? html`<div class="link-problems" part="message" role="alert">
-            <p>The page asks this lab for something that can’t be run, so it stays as it was.</p>
+            <p>The page asks this lab for something that can’t be had, so that stays as it was.</p>
             <ul>
               ${lines.map((line) => html`<li>${line}</li>`)}
             </ul>

@@ -34,6 +34,24 @@ const places = (page: Page) =>
     ),
   )
 
+test('the first paint waits for nothing but the page itself', async () => {
+  const { page } = await openPage({ path: '404.html' })
+  const asked: string[] = []
+  await page.route('**/*', (route) => {
+    const request = route.request()
+    if (request.isNavigationRequest()) void route.continue()
+    // Never answered: what waits for it waits for ever.
+    else asked.push(request.url())
+  })
+  await page.goto(inject('address'), { waitUntil: 'commit' })
+  await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length)
+  expect(asked.length).toBeGreaterThan(0)
+  expect(asked.filter((address) => address.endsWith('.css'))).toEqual([])
+  // It has its styles.
+  const colour = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor)
+  expect(colour).not.toBe('rgba(0, 0, 0, 0)')
+})
+
 test('the picture, the buttons, the time and undo are alive before anything else is loaded', async () => {
   const { page, problems, letGo } = await openEarly()
   const spread = page.locator('.spread output')

@@ -157,6 +157,24 @@ test('events tell what the reader does, what moves, and what can’t be run', as
   expect((await log()).some((line) => line.startsWith('change '))).toBe(true)
 })
 
+test('a theme that there is not is told of, and changes nothing that a reader has done', async () => {
+  const { page } = await openHost(
+    '<slide-lab compact fps="20 40"></slide-lab><slide-figure name="area-under-v"></slide-figure>',
+  )
+  await page.getByRole('button', { name: 'Located' }).click()
+  await expect.poll(() => spread(page)).toMatch(/^0/)
+  await page.locator('slide-figure[live]').waitFor()
+  for (const element of [lab(page), page.locator('slide-figure')]) {
+    await element.evaluate((each) => each.setAttribute('theme', 'sepia'))
+    await expect
+      .poll(() => element.getByRole('alert').innerText())
+      .toContain('theme: “sepia” is neither light nor dark')
+    await element.evaluate((each) => each.setAttribute('theme', 'dark'))
+    await expect.poll(() => element.getByRole('alert').count()).toBe(0)
+  }
+  expect(await spread(page)).toMatch(/^0/)
+})
+
 test('a figure tells its changes, and a name that there is not', async () => {
   const { page } = await openHost(
     '<slide-figure name="area-under-v" style="max-width: 400px"></slide-figure><slide-figure name="no"></slide-figure>',
