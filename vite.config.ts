@@ -2,15 +2,17 @@ import { resolve } from 'node:path'
 import { defineConfig } from 'vite'
 import type { Plugin } from 'vite'
 import { head } from './src/tutorial/build/head.ts'
-import { inlineStyles } from './src/tutorial/build/inlineStyles.ts'
 import { tutorial } from './src/tutorial/build/plugin.ts'
+
+/** What scripts load others by. */
+const helper = '\0vite/preload-helper.js'
 
 export default defineConfig({
   // Relative addresses, so that the built page works in any folder of any server.
   base: './',
   // A missing file is a 404, not the front page.
   appType: 'mpa',
-  plugins: [tutorial(), preloaded(), sharingWorker(), head(), inlineStyles('/index.html')],
+  plugins: [tutorial(), preloaded(), sharingWorker(), head()],
   build: {
     target: 'es2022',
     // What does it for every figure would be longer than the wait for one.
@@ -24,13 +26,14 @@ export default defineConfig({
       output: {
         codeSplitting: {
           groups: [
-            // What is loaded first: the physics, which the worker has too, and the lab with the styles that come before a
-            // page's own. Files in src itself are the pages' own.
+            // The page's script loads the lab by it, and would else load it with the lab.
+            { name: 'load', test: (id) => id === helper },
+            // What is loaded first: the physics, which the worker has too, and the lab. Files in src itself are the pages' own.
             { name: 'physics', tags: ['$initial'], test: /\/src\/(physics\/|measure\/spreadOf)/ },
             {
               name: 'lab',
               tags: ['$initial'],
-              test: /\/(src\/(?!physics|measure|figure\/(share|measures)\/)\w+|node_modules)\/(.*\.[jt]s|site\.css)$/,
+              test: /\/(src\/(?!physics|measure|tutorial|figure\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
             },
           ],
         },
@@ -42,9 +45,11 @@ export default defineConfig({
   worker: { format: 'es' },
 })
 
-/** Has what a page's script imports asked for together with the script, by the page and not by a script of Vite's. */
+/**
+ * Has what a page's script imports, at once or before all else that it asks for later, asked for together with the script:
+ * by the page, and not by a script of Vite's.
+ */
 function preloaded(): Plugin {
-  const helper = '\0vite/preload-helper.js'
   return {
     name: 'preloaded',
     apply: 'build',
@@ -53,7 +58,10 @@ function preloaded(): Plugin {
     transformIndexHtml: {
       order: 'post',
       handler(_, { chunk, bundle = {} }) {
-        const files = new Set(chunk?.imports)
+        const files = new Set([
+          ...(chunk?.imports ?? []),
+          ...(chunk?.dynamicImports ?? []).slice(0, 1),
+        ])
         for (const file of files) {
           const imported = bundle[file]
           if (imported?.type === 'chunk') for (const each of imported.imports) files.add(each)

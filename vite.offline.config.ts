@@ -84,6 +84,7 @@ function oneFile(): Plugin {
           this.error(`The scripts are not one file: ${Object.keys(bundle).join(', ')}`)
         Reflect.deleteProperty(bundle, chunk.fileName)
 
+        let style = ''
         const page = built('index.html')
           .toString()
           .replace(/\s*<script\b[^>]*\ssrc=[^>]*><\/script>/g, '')
@@ -91,9 +92,13 @@ function oneFile(): Plugin {
           .replace(/\s*<link[^>]*\srel="(?:modulepreload|preload|canonical)"[^>]*>/g, '')
           .replace(/\s*<meta[^>]*\s(?:property="og:|name="twitter:)[^>]*>/g, '')
           .replace(/\s*<(\w+)[^>]*\sdata-online\b[^]*?<\/\1>/g, '')
+          .replace(/\s*<link[^>]*\srel="stylesheet"[^>]*\shref="([^"]+)"[^>]*>/g, (_, address) => {
+            style += built(address as string)
+            return ''
+          })
           .replace(/(?<=<link rel="icon" href=")[^"]+/, data)
           .replaceAll('href="./"', 'href="#"')
-          .replace(/url\((\.\/[^)]+\.woff2)\)/g, (_, font) => `url(${data(font as string)})`)
+          .replace('</head>', () => `  <style>${withFonts(style)}</style>\n  </head>`)
         const asked = /\s(?:src|href)="(?!#|data:|https?:)[^"]*"|url\(["']?[./][^)]*\)/g
         const left = new Set(page.match(asked))
         if (left.size > 0) this.error(`The one file would ask for others: ${[...left].join(', ')}`)
@@ -107,6 +112,12 @@ function oneFile(): Plugin {
         })
       },
     },
+  }
+
+  function withFonts(style: string): string {
+    return style.replace(/url\((\.\/[^)]+\.woff2)\)/g, (_, font) => {
+      return `url(${data(join('assets', font as string))})`
+    })
   }
 }
 

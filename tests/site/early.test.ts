@@ -34,22 +34,19 @@ const places = (page: Page) =>
     ),
   )
 
-test('the first paint waits for nothing but the page itself', async () => {
+test('the first paint waits for the page and one file of styles, and for no script', async () => {
   const { page } = await openPage({ path: '404.html' })
   const asked: string[] = []
   await page.route('**/*', (route) => {
     const request = route.request()
-    if (request.isNavigationRequest()) void route.continue()
-    // Never answered: what waits for it waits for ever.
-    else asked.push(request.url())
+    const isStyles = request.resourceType() === 'stylesheet'
+    if (isStyles) asked.push(request.url())
+    if (isStyles || request.isNavigationRequest()) void route.continue()
+    // All others are never answered: what waits for them waits for ever.
   })
   await page.goto(inject('address'), { waitUntil: 'commit' })
   await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length)
-  expect(asked.length).toBeGreaterThan(0)
-  expect(asked.filter((address) => address.endsWith('.css'))).toEqual([])
-  // It has its styles.
-  const colour = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor)
-  expect(colour).not.toBe('rgba(0, 0, 0, 0)')
+  expect(asked).toHaveLength(1)
 })
 
 test('the picture, the buttons, the time and undo are alive before anything else is loaded', async () => {
