@@ -52,6 +52,12 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
 
   const methods = integrators.filter(({ id }) => !quick || id === 'velocity-verlet')
   const loops = bareLoops.filter(({ integrator }) => methods.some(({ id }) => id === integrator))
+  for (const { id, label } of methods)
+    if (!loops.some(({ integrator }) => integrator === id))
+      notRun.push({
+        what: `steps: ${label}`,
+        why: 'nobody has written a loop by hand to compare it with',
+      })
   const alone = []
   for (const { scene, integrator } of loops) {
     const given = { scene, integrator, care }

@@ -20,8 +20,8 @@ export interface Actor {
   readonly row?: number | undefined
   /** How its run has ended by now, if it has. */
   readonly end?: End | undefined
-  /** Whether it will come to rest. */
-  readonly rests: boolean
+  /** When it will come to rest, if it will [s]. */
+  readonly restsAt?: number | undefined
   /** Undefined: the exact one. */
   readonly runner?: PictureRunner
 }
@@ -46,13 +46,13 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
       distance: Math.abs(goal[row]! - start),
       last: clamp(goal[goal.length - 1]!, from, to),
       end: end && row >= end.row ? end : undefined,
-      rests: end?.kind === 'at-rest',
+      restsAt: end?.kind === 'at-rest' ? end.time : undefined,
       row,
       runner,
     }
   })
   const { last } = exactExtent(exact, duration)
-  return [...simulated, { ...standing(exact(time, { s: 0, v: 0 }).s), last, rests: false }]
+  return [...simulated, { ...standing(exact(time, { s: 0, v: 0 }).s), last }]
 }
 
 /** A block, or a ball, at a place of the track. */

@@ -7,6 +7,7 @@ import type { Picture } from './picture.ts'
 import { drawnEnds } from './outline.ts'
 import type { Projection } from './projection.ts'
 import { bendEnd } from './subjects.ts'
+import { slackBox } from './spring.ts'
 import { widthOf, write } from './text.ts'
 
 /** The slope's angle at its foot: a dashed horizontal, an arc and the value. */
@@ -32,7 +33,20 @@ export function drawAngle(
   const label = degrees(parameters.angle!)
   context.font = `${width < 480 ? 14 : 17}px ${palette.sans}`
   const labelWidth = widthOf(context, label)
-  const end = vertex.x + side * (radius + labelWidth + 24)
+  const wedge = (radius + 8) * Math.tan(angle)
+  // Where there is none, under the horizontal and the dots.
+  const y = wedge >= room - 1 ? vertex.y - 7 : vertex.y + 17 + Math.max(0, lanes.depth - wedge)
+  let near = vertex.x + side * (radius + 9)
+  if (scene.id === 'spring') {
+    // Beside the word that stands there, where they would cross.
+    const word = slackBox(context, layout, projection, palette)
+    const far = near + side * labelWidth
+    const isBeside = Math.min(near, far) > word.right + 6 || Math.max(near, far) < word.left - 6
+    if (!isBeside && y > word.top - 6 && y - 17 < word.bottom)
+      near = side > 0 ? word.right + 10 : word.left - 10
+  }
+  near = side > 0 ? near : Math.max(near, labelWidth + 6)
+  const end = near + side * (labelWidth + 15)
   context.strokeStyle = palette.inkSoft
   context.lineWidth = 1
   context.setLineDash([4, 4])
@@ -46,10 +60,6 @@ export function drawAngle(
   else context.arc(vertex.x, vertex.y, radius, Math.PI, Math.PI + angle)
   context.stroke()
 
-  const wedge = (radius + 8) * Math.tan(angle)
-  // Where there is none, under the horizontal and the dots.
-  const y = wedge >= room - 1 ? vertex.y - 7 : vertex.y + 17 + Math.max(0, lanes.depth - wedge)
-  const near = vertex.x + side * (radius + 9)
   context.fillStyle = palette.ink
   write(context, label, near, y, {
     align: side > 0 ? 'left' : 'right',

@@ -48,7 +48,9 @@ export function captionOf(
   const time = wordy && end?.kind === 'at-rest' ? seconds(end.time) : ''
   const pole = top(body).x
   const name = textWidth + (runner ? MARK : 0)
-  const flag = actor.rests ? FLAG + (wordy ? 8 + widthOf(context, '0.00 s', font) : 0) : 0
+  const { restsAt } = actor
+  const stamp = wordy && restsAt !== undefined ? 8 + widthOf(context, seconds(restsAt), font) : 0
+  const flag = restsAt === undefined ? 0 : FLAG + stamp
   const lean = leanAt(body.spot.descent, pole, name)
   // Near the canvas's edge, where a flag would push its label over the pole, its room is not kept free, nor on a
   // canvas that has none to spare.

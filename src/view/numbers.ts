@@ -47,7 +47,7 @@ export function seconds(value: number): string {
 }
 
 /** A whole number with its digits in threes: “12 345”. */
-export function count(value: number): string {
+export function count(value: number | string): string {
   return String(value).replace(/\B(?=(\d{3})+$)/g, thin)
 }
 
@@ -75,8 +75,10 @@ export function plain(value: number): string {
   return sign + String(size >= 100 ? Math.round(size) : Number(size.toPrecision(3)))
 }
 
+/** From ten thousand on a whole number stands in threes. */
 function withUnit(value: number, unit: string): string {
-  return `${plain(value)}${thin}${unit}`
+  const number = plain(value)
+  return `${/^−?\d{5,}$/.test(number) ? count(number) : number}${thin}${unit}`
 }
 
 function superscript(exponent: number): string {

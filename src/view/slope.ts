@@ -69,7 +69,10 @@ export function drawSlopeAngle(
   context.font = `16px ${palette.sans}`
   context.fillStyle = palette.ink
   const text = degrees(Number(((angle * 180) / Math.PI).toFixed(1)))
-  write(context, text, vertex.x + radius + 8, vertex.y - 7, { halo: palette.ground })
+  // Where the slope leaves no room above the level, under it.
+  const hasRoom = (radius + 8) * Math.tan(angle) > 26
+  const y = hasRoom ? vertex.y - 7 : vertex.y + 18
+  write(context, text, vertex.x + radius + 8, y, { halo: palette.ground })
 }
 
 /** A block with its middle at a point. */

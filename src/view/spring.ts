@@ -1,6 +1,6 @@
 import type { Body } from './body.ts'
-import { moved } from './geometry.ts'
-import type { Point } from './geometry.ts'
+import { around, moved } from './geometry.ts'
+import type { Box, Point } from './geometry.ts'
 import type { Layout } from './layout.ts'
 import { drawnEnds } from './outline.ts'
 import type { Palette } from './palette.ts'
@@ -51,20 +51,36 @@ function coil(from: Point, to: Point, out: Point, amplitude: number): Point[] {
 
 function drawSlack(
   context: CanvasRenderingContext2D,
-  { lanes, width }: Layout,
+  layout: Layout,
   projection: Projection,
   palette: Palette,
 ): void {
   const spot = projection.at(0)
-  const foot = moved(spot, spot.out, -lanes.depth - 3)
-  context.strokeStyle = context.fillStyle = palette.inkSoft
+  context.strokeStyle = palette.inkSoft
   context.lineWidth = 1
-  stroke(context, [moved(spot, spot.out, 5), foot])
-  context.font = `${width < 480 ? 11 : 12}px ${palette.sans}`
+  stroke(context, [moved(spot, spot.out, 5), moved(spot, spot.out, -layout.lanes.depth - 3)])
+  const { left, right, bottom } = slackBox(context, layout, projection, palette)
+  context.font = slackFont(layout, palette)
+  context.fillStyle = palette.inkSoft
+  write(context, 'slack', (left + right) / 2, bottom, { align: 'center' })
+}
+
+/** The room of the word at the mark. */
+export function slackBox(
+  context: CanvasRenderingContext2D,
+  layout: Layout,
+  projection: Projection,
+  palette: Palette,
+): Box {
+  const spot = projection.at(0)
+  const half = widthOf(context, 'slack', slackFont(layout, palette)) / 2
   // Beyond the mark in its own direction, so that the word never runs back into the dots.
-  const half = widthOf(context, 'slack') / 2
-  const at = moved(foot, spot.out, -10)
-  write(context, 'slack', at.x - spot.out.x * half, at.y + 4, { align: 'center' })
+  const at = moved(spot, spot.out, -layout.lanes.depth - 13)
+  return around({ x: at.x - spot.out.x * half, y: at.y }, half, 4)
+}
+
+function slackFont({ width }: Layout, { sans }: Palette): string {
+  return `${width < 480 ? 11 : 12}px ${sans}`
 }
 
 function stroke(context: CanvasRenderingContext2D, points: readonly Point[]): void {

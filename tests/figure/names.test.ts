@@ -21,6 +21,31 @@ test.each([
     [ten, { ...ten, frames: { kind: 'jitter', fps: 10, amount: 1, seed: 1 } }],
     ['10 fps', '10 fps, jitter'],
   ],
+  [
+    'a number of their timestep',
+    [
+      { ...ten, timestep: { kind: 'capped', cap: 0.05 } },
+      { ...ten, timestep: { kind: 'capped', cap: 0.1 } },
+    ],
+    ['cap 0.05 s', 'cap 0.1 s'],
+  ],
+  [
+    'a number that one of them has not',
+    [
+      { ...ten, timestep: { kind: 'capped', cap: 0.05 } },
+      { ...ten, timestep: { kind: 'capped', cap: 0.1 } },
+      ten,
+    ],
+    ['Capped · cap 0.05 s', 'Capped · cap 0.1 s', 'Variable'],
+  ],
+  [
+    'a number of their frames',
+    [
+      { ...ten, frames: { kind: 'jitter', fps: 10, amount: 1, seed: 1 } },
+      { ...ten, frames: { kind: 'jitter', fps: 10, amount: 1, seed: 2 } },
+    ],
+    ['seed 1', 'seed 2'],
+  ],
 ] as const)('runners that differ in %s', (_, runners, names) => {
   expect(namesOf(runners as readonly RunnerState[])).toEqual(names)
 })

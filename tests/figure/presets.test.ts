@@ -9,6 +9,7 @@ import { opening } from '../../src/figure/opening.ts'
 import { presets } from '../../src/figure/presets/index.ts'
 import { MOST_FRAMES, stateOf, together } from '../../src/figure/presets/stateOf.ts'
 import { changed } from '../../src/figure/state.ts'
+import { count } from '../../src/view/numbers.ts'
 
 const refused = hardCases.filter((hardCase) => hardCase.refused).map(({ label }) => label)
 const runnable = presets.filter(({ label }) => !refused.includes(label))
@@ -93,7 +94,7 @@ test('what is cut says so', () => {
   const cut = presets.filter(({ watch }) => watch.includes('are shown here'))
   expect(cut.map(({ label }) => label)).toContain('A pipe, from a degree below its lip')
   for (const { watch, shown } of cut)
-    expect(watch).toContain(`the first ${shown.state.duration} s are shown here.`)
+    expect(watch).toContain(`the first ${count(shown.state.duration)} s are shown here.`)
 })
 
 test('experiments are together that share scene, parameters and duration', () => {

@@ -20,6 +20,8 @@ const ASKED = [
   'physics/settle',
   'physics/runOut',
   'physics/stepCounts',
+  'physics/row',
+  'physics/edges',
   'physics/forces',
   'physics/integrators',
   'physics/trigonometry',

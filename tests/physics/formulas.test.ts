@@ -11,9 +11,10 @@ type Numbers = Record<string, number>
 /** A pull that depends on s and v in a crooked way. */
 const pull = (s: number, v: number) => Math.sin(1.3 * s) - 0.4 * v * v + 0.7
 
-/** The value of a formula's right side: sums, products written side by side, a(s, v), and √21. */
+/** The value of a formula's right side: sums, products written side by side, a(s, v), ½, and roots of whole numbers. */
 function value(text: string, known: Numbers): number {
-  const parts = text.match(/a\(|[a-z]′?[₀-₉½]*|Δt²?|√21|½|\d+|[()+−/,]/g)!
+  const parts = text.match(/a\(|[a-z]′?[₀-₉½]*|Δt²?|√\d+|½|\d+|[()+−/,]/g)!
+  if (parts.join('') !== text.replaceAll(' ', '')) throw new Error(`No sign of a formula: ${text}`)
   let at = 0
   const operand = (): number => {
     const part = parts[at++]!
@@ -24,7 +25,7 @@ function value(text: string, known: Numbers): number {
       if (isCall) at++
       return inner
     }
-    if (part === '√21') return Math.sqrt(21)
+    if (part.startsWith('√')) return Math.sqrt(Number(part.slice(1)))
     if (part === '½') return 0.5
     const number = /^\d/.test(part) ? Number(part) : known[part]
     if (number === undefined) throw new Error(`${part} in ${text}`)

@@ -1,6 +1,6 @@
 /** What is told to somebody whose experiment can't be run. */
 import { describe, expect, it } from 'vitest'
-import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
+import { ExperimentError, frameClocks, parseExperiment, scenes } from '../../src/physics/index.ts'
 import { nearest, shorten, show } from '../../src/physics/problems.ts'
 
 /** The whole message that a value is refused with; empty for one that is taken. */
@@ -15,7 +15,8 @@ function message(value: unknown): string {
 }
 
 const KEYS = 'scene, parameters, integrator, stopping, timestep, frames, duration'
-const CLOCKS = 'steady, jitter, hitch, missed-vsync, recorded'
+const SCENES = scenes.map(({ id }) => id).join(', ')
+const CLOCKS = frameClocks.map(({ id }) => id).join(', ')
 const recorded = (durations: unknown) => ({
   scene: 'ramp',
   frames: { kind: 'recorded', durations },
@@ -47,9 +48,9 @@ describe('a refusal', () => {
     [3, `The experiment: 3 is not an object with any of ${KEYS}`],
     [[], `The experiment: a list of 0 is not an object with any of ${KEYS}`],
     [null, `The experiment: null is not an object with any of ${KEYS}`],
-    [{}, 'scene: is missing; it is one of fall, ramp, run-out, half-pipe, spring'],
-    [{ scene: 'loop' }, 'scene: "loop" is not one of fall, ramp, run-out, half-pipe, spring'],
-    [{ scene: 7 }, 'scene: 7 is not one of fall, ramp, run-out, half-pipe, spring'],
+    [{}, `scene: is missing; it is one of ${SCENES}`],
+    [{ scene: 'loop' }, `scene: "loop" is not one of ${SCENES}`],
+    [{ scene: 7 }, `scene: 7 is not one of ${SCENES}`],
     [{ scene: 'ramp', fsp: 1 }, `fsp: is not known here; known are ${KEYS}`],
     [{ scene: 'ramp', framse: 1 }, 'framse: is not known here; did you mean frames?'],
     [

@@ -114,7 +114,7 @@ describe('parseExperiment', () => {
 
   it('a missing scene is the one problem that has no default', () => {
     expect(problems({})).toEqual({
-      scene: 'is missing; it is one of fall, ramp, run-out, half-pipe, spring',
+      scene: `is missing; it is one of ${scenes.map(({ id }) => id).join(', ')}`,
     })
   })
 

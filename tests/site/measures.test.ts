@@ -364,7 +364,7 @@ describe('the frame-rate map', () => {
     await expect
       .poll(lab.readOut, { timeout: 20_000 })
       .toBe('Of all runs, 100\u202f% ends the same to rounding.')
-    await lab.page.getByRole('combobox', { name: 'Timestep of the map' }).selectOption('fixed')
+    await lab.page.getByRole('combobox', { name: 'Time step of the map' }).selectOption('fixed')
     await expect.poll(lab.readOut, { timeout: 20_000 }).not.toContain('100')
     expect(lab.problems).toEqual([])
   })

@@ -5,7 +5,7 @@ import type { Box } from '../../view/geometry.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../../view/graph.ts'
 import type { Graph } from '../../view/graph.ts'
 import { seconds } from '../../view/numbers.ts'
-import { write } from '../../view/text.ts'
+import { widthOf, write } from '../../view/text.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { clockworkOf } from '../stripLanes.ts'
 import { ticksOf } from './clockwork.ts'
@@ -51,7 +51,7 @@ export const framesAndTicks = figure({
       step: 0.01,
       initial: 0.05,
     },
-    timestep: { type: 'choice', label: 'Timestep', options: policies, initial: 'fixed' },
+    timestep: { type: 'choice', label: 'Time step', options: policies, initial: 'fixed' },
     draw: {
       type: 'choice',
       label: 'Draws',
@@ -181,17 +181,19 @@ function drawMotion({ context, palette }: Surface, graph: Graph, run: Trajectory
   context.restore()
 }
 
-/** What is what in the graph, in its upper left corner, where the way up a slope does not come. */
+/** What is what in the graph, in its lower right corner, where the way up a slope does not come. */
 function drawLegend({ context, palette }: Surface, { box }: Graph): void {
   const [drawn, physics] = [palette.runners[1]!, palette.runners[0]!]
   const rows = ['the true block', 'where the physics stands', 'what frames draw']
   const colours = [palette.ink, physics.text, drawn.text] as const
   context.font = `500 12px ${palette.sans}`
+  const widest = Math.max(...rows.map((text) => widthOf(context, text)))
+  const [left, top] = [box.right - widest - 8, box.bottom - 64]
   rows.forEach((text, i) => {
     context.fillStyle = colours[i]!
-    write(context, text, box.left + 30, box.top + 16 + 18 * i, { halo: palette.sheet })
+    write(context, text, left, top + 16 + 18 * i, { halo: palette.sheet })
   })
-  const mark = (i: number) => ({ x: box.left + 17, y: box.top + 12 + 18 * i })
+  const mark = (i: number) => ({ x: left - 13, y: top + 12 + 18 * i })
   context.strokeStyle = palette.ink
   context.lineWidth = 1.5
   line(context, moved(mark(0), { x: 1, y: 0 }, -7), moved(mark(0), { x: 1, y: 0 }, 7))

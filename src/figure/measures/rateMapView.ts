@@ -246,7 +246,7 @@ export class RateMap extends LitElement {
           pick: (id) => set({ stopping: id as MethodChoice['stopping'] }),
         })}
         ${menu({
-          label: 'Timestep of the map',
+          label: 'Time step of the map',
           list: timesteps,
           chosen: method.timestep.kind,
           pick: (id) =>

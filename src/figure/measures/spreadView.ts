@@ -79,9 +79,9 @@ export class SpreadView extends LitElement {
           })}
         </label>
         <label class="choose">
-          Timestep
+          Time step
           ${menu({
-            label: 'Timestep of the table',
+            label: 'Time step of the table',
             list: timesteps,
             chosen: timestep.kind,
             pick: (id) => {

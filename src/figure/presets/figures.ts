@@ -14,7 +14,7 @@ const rows: readonly (readonly [id: string, label: string, watch: string, addres
   [
     'falling-ball',
     'A ball without delta time',
-    'At 15 fps the ball falls as if time went four times as slow; choose “variable” as its timestep.',
+    'At 15 fps the ball falls as if time went four times as slow; choose “variable” as its time step.',
     'scene=fall&drag=0&duration=1&runners=15/per-frame(step:1/60)/semi-implicit-euler',
   ],
   [

@@ -2,7 +2,7 @@ import { hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
 import { scenes } from '../../physics/index.ts'
 import type { Experiment, Scene } from '../../physics/index.ts'
-import { plain } from '../../view/numbers.ts'
+import { count, plain } from '../../view/numbers.ts'
 import { preset } from './preset.ts'
 import type { Preset } from './preset.ts'
 import { durationOf, stateOf, together } from './stateOf.ts'
@@ -45,7 +45,7 @@ function remarkOn(experiments: readonly Experiment[]): string {
   const shown = durationOf(experiments)
   return duration === undefined || shown === duration
     ? ''
-    : ` Of ${duration} s, the first ${shown} s are shown here.`
+    : ` Of ${count(duration)} s, the first ${count(shown)} s are shown here.`
 }
 
 /** What an experiment has that others of its case have not: its scene, or a parameter, or its duration. */

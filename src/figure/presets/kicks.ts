@@ -20,7 +20,7 @@ export const kicks: readonly Preset[] = [
   kick(
     'Without delta time',
     'no-delta-time',
-    'Play it: at 10 fps the block crawls, and is still on its way when all others have stopped.',
+    'Play it: at 120 fps the block races, and at 10 fps it crawls. After a second only the fast one is at rest.',
   ),
   kick(
     'The paper’s step',

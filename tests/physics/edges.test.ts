@@ -1,0 +1,83 @@
+/** Steps at the edge of a case: that begin where they end, that turn where nothing rubs, that leave by the other side. */
+import { describe, expect, it } from 'vitest'
+import { createRun, simulate } from '../../src/physics/index.ts'
+import type { Experiment } from '../../src/physics/index.ts'
+import { last } from './truth.ts'
+
+describe('a block that sets off and comes to rest again within one step', () => {
+  it('is at rest from the instant at which the step’s own speed is 0', () => {
+    const after = (duration: number) => {
+      const run = createRun({
+        scene: 'half-pipe',
+        parameters: { radius: 2, position: 1.6, speed: 0, muStatic: 0.9, muKinetic: 0.2 },
+        integrator: 'rk4',
+        stopping: 'located',
+      })
+      run.frame(duration)
+      return run
+    }
+    const { outcome, motion: stopped } = after(2)
+    expect(outcome.kind).toBe('at-rest')
+    // Steps of a millionth less, and of two, which no rule has to end.
+    const near = after((1 - 2e-6) * outcome.time).motion
+    const nearer = after((1 - 1e-6) * outcome.time).motion
+    // The speed falls to 0 in a straight line there: half of the time left, half of the speed.
+    expect(nearer.v / near.v).toBeCloseTo(0.5, 4)
+    expect(Math.abs(nearer.v)).toBeGreaterThan(0)
+    // And the place goes on in a straight line to that of the stop, but for the square of a millionth.
+    expect(2 * nearer.s - near.s).toBeCloseTo(stopped.s, 10)
+  })
+})
+
+describe('a block that its method flings out of the pipe', () => {
+  it('leaves by either lip, whichever side it slid to at first', () => {
+    const sides = new Set<boolean>()
+    for (let i = 0; i < 20; i++) {
+      const position = (i % 2 === 0 ? 1 : -1) * (1 + 0.1 * i)
+      const { outcome, s } = simulate({
+        scene: 'half-pipe',
+        parameters: { radius: 2, position, speed: 0, muStatic: 0, muKinetic: 0 },
+        integrator: 'explicit-euler',
+        stopping: 'located',
+        frames: { kind: 'steady', fps: 20 },
+        duration: 60,
+      })
+      expect(outcome.kind, `from ${position} m`).toBe('left-the-track')
+      expect(Math.abs(last(s))).toBe(Math.PI)
+      sides.add(last(s) > 0 === position > 0)
+    }
+    expect(sides.size).toBe(2)
+  })
+})
+
+describe('without friction', () => {
+  it('a block on the level that has no speed is at rest from the first', () => {
+    const { outcome } = simulate({
+      scene: 'ramp',
+      parameters: { angle: 0, muStatic: 0, muKinetic: 0, speed: 0 },
+      integrator: 'velocity-verlet',
+      stopping: 'located',
+      duration: 1,
+    })
+    expect(outcome).toEqual({ kind: 'at-rest', time: 0 })
+  })
+
+  it('a ball without drag that is thrown up turns in the middle of a step, whatever the stopping rule', () => {
+    const thrown: Experiment = {
+      scene: 'fall',
+      parameters: { speed: -4 },
+      integrator: 'explicit-euler',
+      frames: { kind: 'steady', fps: 7 },
+      duration: 2,
+    }
+    const naive = simulate({ ...thrown, stopping: 'naive' })
+    for (const stopping of ['clamped', 'located'] as const) {
+      const { s, v, evaluations } = simulate({ ...thrown, stopping })
+      expect({ s, v, evaluations }).toEqual({
+        s: naive.s,
+        v: naive.v,
+        evaluations: naive.evaluations,
+      })
+    }
+  })
+})
