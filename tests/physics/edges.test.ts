@@ -81,3 +81,18 @@ describe('without friction', () => {
     }
   })
 })
+
+describe('friction that takes the sign of each speed it is asked about', () => {
+  it.each([1, -1])('is none at a speed of 0: a first step with the slope to side %d', (side) => {
+    const { v } = simulate({
+      scene: 'half-pipe',
+      parameters: { radius: 2, position: -side, speed: 0, muStatic: 0.1, muKinetic: 0.1 },
+      integrator: 'explicit-euler',
+      stopping: 'naive',
+      frames: { kind: 'steady', fps: 10 },
+      duration: 0.1,
+    })
+    // g sin(s/R) Δt, and nothing of μ.
+    expect(last(v)).toBeCloseTo(side * 9.81 * Math.sin(0.5) * 0.1, 14)
+  })
+})

@@ -149,6 +149,8 @@ describe('the trace of a frame', () => {
       traceFrame(run, frame).flatMap(({ stretches }) => stretches.map(({ jump }) => jump)),
     )
     expect(jumps).toContain('joint')
+    // A step that nothing cuts ends with none.
+    expect(jumps).toContain(undefined)
   })
 
   it('refuses a frame that the run does not have', () => {
