@@ -40,6 +40,7 @@ const ASKED = [
   'hard/jumps',
   'hard/friction',
   'physics/trace',
+  'physics/exactAgain',
   'physics/exactTrack',
   'physics/exactLaw',
   'hard/extremes',

@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest'
-import { ExperimentError, parseExperiment, scenes, simulate } from '../../src/physics/index.ts'
+import {
+  ExperimentError,
+  parseExperiment,
+  scenes,
+  simulate,
+  stoppings,
+} from '../../src/physics/index.ts'
 
 /** The error that a value is refused with. */
 function refusal(value: unknown): ExperimentError {
@@ -70,7 +76,7 @@ describe('parseExperiment', () => {
       'parameters.mass': '0 is not in 1e-9…1000000000',
       'parameters.muStatc': 'is not known here; did you mean muStatic?',
       integrator: expect.stringContaining('"rk5" is not one of explicit-euler,') as string,
-      stopping: '7 is not one of naive, clamped, located',
+      stopping: `7 is not one of ${stoppings.map(({ id }) => id).join(', ')}`,
       'timestep.step': 'is missing',
       'frames.fps': '"60" is not a number',
       'frames.amount': '2 is not in 0…1',

@@ -46,7 +46,10 @@ describe('sine and cosine', () => {
       expect(Math.abs(sin)).toBeLessThanOrEqual(1)
       expect(Math.abs(cos)).toBeLessThanOrEqual(1)
     }
-    expect(sinCos(NaN).sin).toBeNaN()
+    for (const angle of [NaN, Infinity, -Infinity]) {
+      expect(sinCos(angle).sin).toBeNaN()
+      expect(sinCos(angle).cos).toBeNaN()
+    }
   })
 
   it('of degrees are within 1 ulp from −90° to 90°, and exact at the ends', () => {
