@@ -5,6 +5,7 @@ import type { NumberOption } from '../physics/index.ts'
 import { freshId } from './freshId.ts'
 import { icon } from './icons.ts'
 import { readNumber, shownNumber, writeNumber } from './numberText.ts'
+import { typeset } from './typeset.ts'
 
 /** What a control needs to know of the number that it sets. */
 export type Quantity = Pick<
@@ -178,9 +179,4 @@ export class QuantityControl extends LitElement {
     this.draft = undefined
     this.problem = ''
   }
-}
-
-/** The letter after a μ tells which μ it is. */
-function typeset(symbol: string) {
-  return /^μ./.test(symbol) ? html`μ<sub>${symbol.slice(1)}</sub>` : symbol
 }

@@ -49,8 +49,9 @@ export function captionOf(
   const pole = top(body).x
   const name = textWidth + (runner ? MARK : 0)
   const { restsAt } = actor
-  const stamp = wordy && restsAt !== undefined ? 8 + widthOf(context, seconds(restsAt), font) : 0
-  const flag = restsAt === undefined ? 0 : FLAG + stamp
+  const stamps = ['0.00 s', restsAt === undefined ? '' : seconds(restsAt)]
+  const stamp = Math.max(...stamps.map((each) => widthOf(context, each, font)))
+  const flag = restsAt === undefined ? 0 : FLAG + (wordy ? 8 + stamp : 0)
   const lean = leanAt(body.spot.descent, pole, name)
   // Near the canvas's edge, where a flag would push its label over the pole, its room is not kept free, nor on a
   // canvas that has none to spare.

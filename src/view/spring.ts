@@ -73,7 +73,10 @@ export function slackBox(
   palette: Palette,
 ): Box {
   const spot = projection.at(0)
-  const half = widthOf(context, 'slack', slackFont(layout, palette)) / 2
+  const { font } = context
+  context.font = slackFont(layout, palette)
+  const half = widthOf(context, 'slack') / 2
+  context.font = font
   // Beyond the mark in its own direction, so that the word never runs back into the dots.
   const at = moved(spot, spot.out, -layout.lanes.depth - 13)
   return around({ x: at.x - spot.out.x * half, y: at.y }, half, 4)

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { hardCases } from '../../src/measure/hardCases/index.ts'
-import { frameClocks, parseExperiment } from '../../src/physics/index.ts'
+import { frameClocks, parseExperiment, simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { readAddress, writeAddress } from '../../src/figure/address.ts'
 import { experimentOf } from '../../src/figure/check.ts'
@@ -10,6 +10,7 @@ import { presets } from '../../src/figure/presets/index.ts'
 import { MOST_FRAMES, stateOf, together } from '../../src/figure/presets/stateOf.ts'
 import { changed } from '../../src/figure/state.ts'
 import { count } from '../../src/view/numbers.ts'
+import { endOf } from '../../src/view/timeline.ts'
 
 const refused = hardCases.filter((hardCase) => hardCase.refused).map(({ label }) => label)
 const runnable = presets.filter(({ label }) => !refused.includes(label))
@@ -88,6 +89,13 @@ test('a run that is too long is cut to its beginning, others are left as they ar
   const long: Experiment = { scene: 'ramp', duration: 10000 }
   expect(stateOf([long, long]).duration).toBe(2000)
   expect(stateOf([{ ...long, duration: 1234.5 }]).duration).toBe(1234.5)
+})
+
+test('without delta time only the fast one is at rest after a second', () => {
+  const preset = presets.find(({ label }) => label === 'Without delta time')!
+  expect(preset.shown.state.duration).toBe(1)
+  const rests = experimentsOf(preset).map((each) => endOf(simulate(each))?.kind === 'at-rest')
+  expect(rests).toEqual([false, false, true])
 })
 
 test('what is cut says so', () => {

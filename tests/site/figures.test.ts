@@ -24,6 +24,12 @@ test('every figure comes alive when it comes near, shows what it opens with, and
   site.expectNoProblems()
 })
 
+test('the letter of a coefficient stands below it', async () => {
+  const site = await openFigures(['critical-angle'])
+  const element = await site.see('critical-angle')
+  expect(await element.locator('.slider sub').allTextContents()).toEqual(['s'])
+})
+
 test('every control works by keyboard, changes the picture or the words, and is told', async () => {
   const site = await openFigures(ids)
   for (const { id, load } of figures) {

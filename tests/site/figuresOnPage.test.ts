@@ -22,6 +22,16 @@ test.each([390, 768, 1440])('at %d px a figure that comes alive moves nothing', 
   expect(problems).toEqual([])
 })
 
+test('on a phone the outcome keeps clear of the buttons over it', async () => {
+  const { page } = await openPage({ width: 390 })
+  const figure = page.locator('slide-figure[name="two-become-one"]')
+  await figure.scrollIntoViewIfNeeded()
+  await figure.and(page.locator('[live]')).waitFor()
+  const buttons = (await figure.locator('.options').boundingBox())!
+  const says = (await figure.locator('.says').boundingBox())!
+  expect(says.y - buttons.y - buttons.height).toBeGreaterThanOrEqual(10)
+})
+
 test('before one comes near, nothing of the figures is loaded but their names', async () => {
   const { page, problems } = await openPage({ height: 600 })
   const loaded = () =>

@@ -418,6 +418,19 @@ describe('what was measured elsewhere', () => {
     expect(lab.problems).toEqual([])
   })
 
+  test('a table’s heading is as wide as what is seen of it', async () => {
+    const lab = await openMeasures('', { width: 390 })
+    await lab.page.locator('measured-report summary').click()
+    await lab.page.locator('measured-report table').first().waitFor()
+    const widths = await lab.page
+      .locator('measured-report .scroll')
+      .evaluateAll((all) =>
+        all.map((each) => [each.querySelector('caption')!.offsetWidth, each.clientWidth]),
+      )
+    expect(widths).toHaveLength(4)
+    for (const [heading, seen] of widths) expect(heading).toBeLessThanOrEqual(seen!)
+  })
+
   test('or it is said that there is none', async () => {
     const lab = await openMeasures()
     await lab.page.route('**/report/report.json', (route) => route.fulfill({ status: 404 }))

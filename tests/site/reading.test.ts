@@ -228,6 +228,26 @@ describe('a link', () => {
   })
 })
 
+test.each([390, 320])('every equation is whole at %d px', async (width) => {
+  const { page } = await openPage({ width })
+  const cut = await page
+    .locator('.equation')
+    .evaluateAll((all) =>
+      all.filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + 1).map(String),
+    )
+  expect(cut).toEqual([])
+})
+
+test('links at the foot have the colour of links', async () => {
+  const { page } = await openPage()
+  const colour = (at: string) =>
+    page
+      .locator(at)
+      .first()
+      .evaluate((link) => getComputedStyle(link).color)
+  expect(await colour('.page-foot a')).toBe(await colour('.text a[href^="https:"]'))
+})
+
 describe('code', () => {
   test('is copied as it stands in its file', async () => {
     const { page } = await openPage()
@@ -243,6 +263,25 @@ describe('code', () => {
     expect((await page.evaluate(() => document.querySelector('title')!.textContent)).trim()).toBe(
       code!.trim(),
     )
+  })
+
+  test('is never under its button, and as wide as its lines ask', async () => {
+    const narrow = await openPage({ width: 390 })
+    const listings = narrow.page.locator('.text .code:visible', { has: narrow.page.locator('pre') })
+    await narrow.page.locator('.code .copy').first().waitFor()
+    const hidden = await listings.evaluateAll((all) =>
+      all.filter((each) => {
+        const [button, line] = ['.copy', 'pre .line'].map((at) => each.querySelector(at)!)
+        return button!.getBoundingClientRect().bottom > line!.getBoundingClientRect().top
+      }),
+    )
+    expect(hidden).toHaveLength(0)
+
+    const { page } = await openPage({ width: 1440 })
+    const short = page.locator('.code', { hasText: 'src/physics/integrators/' })
+    const widths = await short.evaluateAll((all) => all.map((each) => each.clientWidth))
+    expect(widths).toHaveLength(3)
+    expect(new Set(widths).size).toBe(1)
   })
 
   test('to take home has a tab a language, by mouse and by keyboard', async () => {

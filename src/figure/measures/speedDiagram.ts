@@ -186,7 +186,8 @@ export class SpeedDiagram extends LitElement {
                 ${pointWords(spot.point, kind)}.
                 <span class="soft">Click to see it in the lab.</span>`
             : html`<span class="soft"
-                >Further down is better, further left is cheaper. Point at a mark to read it.</span
+                >Further down is better, further left is cheaper; the grey band joins the best.
+                Point at a mark to read it.</span
               >`
         }
       </p>

@@ -8,6 +8,7 @@ import type {
   SwitchControl,
   Value,
 } from '../figures/control.ts'
+import { typeset } from '../typeset.ts'
 import type { Face } from './face.ts'
 
 /** A figure's controls, the sliders first. */
@@ -54,7 +55,7 @@ function slider(control: NumberControl, { id, isIdle }: Standing, value: number,
   const widest = Math.max(quantityText(control, to).length, quantityText(control, to - step).length)
   return html`<div class="slider">
     <label for=${id}
-      >${label} ${symbol ? html`<i aria-hidden="true">${symbol}</i>` : nothing}</label
+      >${label} ${symbol ? html`<i aria-hidden="true">${typeset(symbol)}</i>` : nothing}</label
     >
     <input
       id=${id}

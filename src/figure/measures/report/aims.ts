@@ -15,7 +15,7 @@ export function aims({ targets, profiles }: Report) {
             <th scope="col">Asked for</th>
             <th scope="col">Measured</th>
             <th scope="col">Result</th>
-            <th scope="col">Where</th>
+            <th scope="col" class="prose">Where</th>
           </tr>
         </thead>
         <tbody>

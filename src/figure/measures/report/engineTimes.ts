@@ -16,7 +16,7 @@ export function engineTimes({ peers, contestants }: Report) {
           <th scope="col">Engine</th>
           <th scope="col">Time of a step</th>
           <th scope="col">Times ours</th>
-          <th scope="col">How it is set up</th>
+          <th scope="col" class="prose">How it is set up</th>
         </tr>
       </thead>
       <tbody>
@@ -26,10 +26,15 @@ export function engineTimes({ peers, contestants }: Report) {
             <th scope="row">${who?.label ?? engine}<small>${who?.version ?? ''}</small></th>
             ${time(step.median)}
             <td>${plain(ratio)}</td>
-            <td class="prose">${who?.setup ?? ''}</td>
+            <td class="prose">${withCode(who?.setup ?? '')}</td>
           </tr>`
         })}
       </tbody>
     </table>
   </div>`
+}
+
+/** A text in which names of the code stand between backticks. */
+function withCode(text: string) {
+  return text.split('`').map((part, i) => (i % 2 === 1 ? html`<code>${part}</code>` : part))
 }
