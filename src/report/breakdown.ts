@@ -2,6 +2,7 @@ import { createRun } from '../physics/index.ts'
 import { inFrames } from './bare/index.ts'
 import type { BareLoop, Trial } from './bare/index.ts'
 import type { Profile } from './schema.ts'
+import { stepName } from './stepName.ts'
 import { recordingWork, steppingWork } from './steps.ts'
 import { median, timeRounds } from './timing/rounds.ts'
 import type { Care, Work } from './timing/rounds.ts'
@@ -15,7 +16,7 @@ export function recordingParts({ integrator }: BareLoop, trial: Trial, care: Car
     [recordingWork(trial, integrator), steppingWork(trial, integrator), columns(trial)],
     care,
   )
-  const what = `simulate, ${trial.scene}, ${integrator}, ${recorded!.toFixed(1)} ns a frame`
+  const what = `simulate, ${named(trial, integrator)}, ${recorded!.toFixed(1)} ns a frame`
   return parts(what, recorded!, [
     ['making six columns and writing a number a frame into each', written!],
     ['the steps', stepped!],
@@ -34,13 +35,16 @@ export function frameParts({ integrator }: BareLoop, trial: Trial, care: Care): 
     ],
     care,
   )
-  const what = `run.frame, ${trial.scene}, ${integrator}, ${framed!.toFixed(1)} ns a call`
+  const what = `run.frame, ${named(trial, integrator)}, ${framed!.toFixed(1)} ns a call`
   return parts(what, framed!, [
     ['the same for a block that lies still', idle!],
     ['the step, as one of many', stepped!],
     ['calling the integrator for one step', framed! - idle! - stepped!],
   ])
 }
+
+const named = ({ scene, kind }: Trial, integrator: BareLoop['integrator']) =>
+  stepName({ scene, integrator, trial: kind })
 
 function timed(works: readonly Work[], care: Care): number[] {
   return timeRounds(works, care).map(median)

@@ -6,7 +6,9 @@ import type { Work } from './timing/rounds.ts'
 const INTERVAL = 100
 /** [ms] */
 const LENGTH = 400
+/** So many of them, of those that are more than a half of a hundredth. */
 const SHOWN = 6
+const LEAST = 0.005
 
 /** Which functions the time of a work goes into, the greatest share first. Inlined functions count for themselves. */
 export async function profileOf(what: string, work: Work): Promise<Profile> {
@@ -21,12 +23,13 @@ export async function profileOf(what: string, work: Work): Promise<Profile> {
   session.disconnect()
   const hits = new Map<string, number>()
   for (const { callFrame, hitCount } of profile.nodes) {
-    const name = callFrame.functionName || '(nameless)'
+    const name = callFrame.functionName || 'functions without a name'
     hits.set(name, (hits.get(name) ?? 0) + (hitCount ?? 0))
   }
   const total = [...hits.values()].reduce((sum, count) => sum + count, 0)
   const functions = [...hits]
     .map(([name, count]) => ({ name, share: count / total }))
+    .filter(({ share }) => share >= LEAST)
     .sort((a, b) => b.share - a.share)
     .slice(0, SHOWN)
   return { what, functions }

@@ -1,7 +1,9 @@
 import { frameByFrame, ours } from './contestants.ts'
 import { peers as engines } from './peers/index.ts'
 import type { Report, StepTime, Target } from './schema.ts'
+import { stepName } from './stepName.ts'
 import type { Profiled } from './tasks.ts'
+import { metres } from './text/figures.ts'
 
 type Measured = Pick<Report, 'steps' | 'peers' | 'frontiers'>
 type Found = Pick<Target, 'figure' | 'from'> | undefined
@@ -18,12 +20,18 @@ export function targets({ steps, peers, frontiers }: Measured): Target[] {
       worst(rampSteps(steps), ({ ratios }) => ratios.alone),
     ),
     target(
-      ['alone', 'Every method in every scene, alone: times its hand-written loop'],
+      [
+        'alone',
+        'Every method that has a hand-written loop, in every scene, alone: times that loop',
+      ],
       ['at most', 1.5],
       worst(steps, ({ ratios }) => ratios.alone),
     ),
     target(
-      ['mixed', 'Every method in every scene, mixed: times its hand-written loop'],
+      [
+        'mixed',
+        'Every method that has a hand-written loop, in every scene, mixed: times that loop',
+      ],
       ['at most', 4],
       worst(steps, ({ ratios }) => ratios.mixed),
     ),
@@ -71,7 +79,10 @@ export function targets({ steps, peers, frontiers }: Measured): Target[] {
     ] as const)
       found.push(
         target(
-          [`odex-${cost}-${power}`, `Half-pipe to ${power} m: ${cost} of odex, divided by ours`],
+          [
+            `odex-${cost}-${power}`,
+            `Half-pipe to ${metres(error)}: ${cost} of odex, divided by ours`,
+          ],
           ['at least', 1],
           best && odex ? { figure: odex[cost] / best[cost], from: best.label } : undefined,
         ),
@@ -135,7 +146,7 @@ function worst(steps: readonly StepTime[], figure: (step: StepTime) => number | 
   for (const step of steps) {
     const value = figure(step)
     if (value !== null && (!most || value > most.figure))
-      most = { figure: value, from: `${step.scene}, ${step.integrator}, ${step.trial}` }
+      most = { figure: value, from: stepName(step) }
   }
   return most
 }

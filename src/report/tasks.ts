@@ -7,6 +7,7 @@ import { problems } from './frontiers/problems.ts'
 import { peers } from './peers/index.ts'
 import { frameTime, ourRuns, peerRuns, peerTimes } from './peers/measure.ts'
 import { profileOf } from './profile.ts'
+import { stepName } from './stepName.ts'
 import { meetEverything, steppingWork, timeAlone, timeMixed } from './steps.ts'
 import type { Care } from './timing/rounds.ts'
 
@@ -46,7 +47,7 @@ export const tasks = {
     const { scene, integrator, trial, mixed } = profiled
     if (mixed) meetEverything()
     const { loop, timed } = trialOf(profiled)
-    const what = `${scene}, ${integrator}, ${trial}, ${mixed ? 'mixed' : 'alone'}`
+    const what = `${stepName({ scene, integrator, trial })}, ${mixed ? 'mixed' : 'alone'}`
     return profileOf(what, steppingWork(timed, loop.integrator))
   },
 }

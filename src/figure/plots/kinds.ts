@@ -27,7 +27,7 @@ export const plotKinds: readonly PlotKind[] = [
   {
     id: 'phase',
     title: 'Speed over position',
-    caption: () => 'one point a frame',
+    caption: () => 'one point a frame: the state of the physics',
     over: position,
     of: speed,
   },

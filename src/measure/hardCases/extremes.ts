@@ -13,7 +13,7 @@ export const extremes: readonly HardCase[] = [
     group: 13,
     label: 'The smallest numbers there are',
     watch:
-      'A block kicked at 5e-324 m/s, and a pipe whose swings are 1e-310 m: nothing happens that should not.',
+      'A block kicked at the smallest speed there is, 5 × 10⁻³²⁴ m/s, and a pipe whose swings are 10⁻³¹⁰ m: nothing happens that should not.',
     experiments: [
       ramp({ angle: 10, muStatic: 0.5, muKinetic: 0.5, speed: 5e-324 }),
       { scene: 'half-pipe', parameters: { position: 1e-310 } },
@@ -25,7 +25,7 @@ export const extremes: readonly HardCase[] = [
     group: 13,
     label: 'The largest numbers allowed',
     watch:
-      'At 1e9 m/s and 1e9 m from the start an ulp is a tenth of a micrometre, and errors are of that size.',
+      'At 10⁹ m/s and 10⁹ m from the start neighbouring numbers lie a tenth to half a micrometre apart, and each step rounds to one of them.',
     experiments: [
       ramp({ speed: 1e9 }),
       ramp({ speed: -1e9 }),

@@ -60,7 +60,8 @@ export const oscillations: readonly HardCase[] = [
     id: 'at-verlets-limit',
     group: 10,
     label: 'A spring at ωΔt = 2.00',
-    watch: 'At the very limit nothing grows faster than the number of steps.',
+    watch:
+      'At the very limit Verlet and semi-implicit Euler grow no faster than the number of steps.',
     experiments: by(every, swinging(2, 1000)),
   },
   {
@@ -74,20 +75,20 @@ export const oscillations: readonly HardCase[] = [
     id: 'below-rk4s-limit',
     group: 10,
     label: 'A spring at ωΔt = 2.82',
-    watch: 'rk4 is stable here, by losing all of its energy within a second.',
+    watch: 'Runge–Kutta 4 is stable here, by losing all of its energy within a second.',
     experiments: by(every, swinging(2.82, 1000)),
   },
   {
     id: 'beyond-rk4s-limit',
     group: 10,
     label: 'A spring at ωΔt = 2.83',
-    watch: 'rk4 grows by 0.4 % every step: it takes half a minute to diverge.',
+    watch: 'Runge–Kutta 4 grows by 0.4 % every step: it takes half a minute to diverge.',
     experiments: by(every, swinging(2.83, 1000)),
   },
   {
     id: 'stiff-as-steel',
     group: 11,
-    label: 'A stiffness of 1e9',
+    label: 'A stiffness of 10⁹ N/m',
     watch:
       'At ωΔt = 527 implicit midpoint keeps its energy; every other method is gone in three frames.',
     experiments: by(every, swinging(Math.sqrt(1e9) / 60, 100)),
