@@ -19,7 +19,7 @@ export function modeButtons({ simulated, change }: LabView) {
       )}
     </div>
     <p class="about">
-      ${mode ? aboutOf(mode, simulated.scene) : 'A mixture of your own. Any of the buttons sets all runners to one way again.'}
+      ${mode ? aboutOf(mode, simulated.state) : 'A mixture of your own. Any of the buttons sets all runners to one way again.'}
     </p>
   </div>`
 }

@@ -1,4 +1,3 @@
-import type { Scene } from '../physics/index.ts'
 import type { LabState, Method } from './state.ts'
 
 /** A way of moving blocks that all runners can be set to at once. */
@@ -7,7 +6,7 @@ interface Mode {
   readonly label: string
   /** What it does and what to look for. */
   readonly about: string
-  /** The same for a scene where nothing rubs and so nothing stops. */
+  /** The same where nothing rubs and so nothing stops. */
   readonly withoutFriction?: string
   readonly method: Method
 }
@@ -70,7 +69,7 @@ export const modes = [
     about:
       'Steps along parabolas, and looks for the instant inside the step at which the block stops. On a straight track every frame rate agrees with the exact block, to the last digit.',
     withoutFriction:
-      'Steps along parabolas, as the block itself moves under a constant force. Every frame rate agrees with the exact block, to the last digit.',
+      'Steps along parabolas, as a block moves under a constant force: there every frame rate agrees with the exact block, to the last digit.',
     method: {
       timestep: { kind: 'variable' },
       integrator: 'velocity-verlet',
@@ -86,9 +85,12 @@ export function modeOf(state: LabState): (typeof modes)[number] | undefined {
   return modes.find(({ method }) => state.runners.every((runner) => sameMethod(runner, method)))
 }
 
-/** What a mode does in a scene. */
-export function aboutOf({ about, withoutFriction }: Mode, { parameters }: Scene): string {
-  return 'muKinetic' in parameters ? about : (withoutFriction ?? about)
+/** What a mode does in a scene, by whether anything rubs there. */
+export function aboutOf(
+  { about, withoutFriction }: Mode,
+  { parameters: { muStatic = 0, muKinetic = 0 } }: Pick<LabState, 'parameters'>,
+): string {
+  return muStatic > 0 || muKinetic > 0 ? about : (withoutFriction ?? about)
 }
 
 function sameMethod(a: Method, b: Method): boolean {
