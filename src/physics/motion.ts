@@ -102,12 +102,19 @@ export class Motion {
   endS = NaN
   endV = NaN
 
+  // What is called apart from the integrators. Set twice, since a function that an engine knows to be always the same it would
+  // compile in after all.
+  private ask = endStep
+  private note = accelerate
+
   readonly law: Law
   readonly contact = new Contact()
   readonly felt: readonly Forces[]
 
   constructor(law: Law, s: number, v: number) {
     this.law = law
+    this.ask = accelerate
+    this.note = endStep
     this.felt = law.forces.map(feltOn)
     this.forces = this.felt[0]!
     this.s = this.rubbedFrom = s
@@ -127,12 +134,13 @@ export class Motion {
    * compiles it into every integrator, and no number is boxed.
    */
   acceleration(s: number, v: number): number {
-    if (this.kind === 1) return this.steady
-    if (this.kind === 2)
-      return this.steady - this.perMetre * s - this.perSquare * v * Math.abs(v) - this.friction
+    const { kind, steady } = this
+    if (kind === 1) return steady
+    if (kind === 2)
+      return steady - this.perMetre * s - this.perSquare * v * Math.abs(v) - this.friction
     this.askedS = s
     this.askedV = v
-    apart(parts[0]!, this)
+    apart(this.ask, this)
     return this.answer
   }
 
@@ -142,26 +150,25 @@ export class Motion {
    * the stopping rule takes it again.
    */
   goesOn(s: number, v: number, taken: number): boolean {
-    const { log } = this
+    const { log, asked } = this
     if (log !== undefined) {
       const row = log.last + taken
       log.s[row] = s
       log.v[row] = v
     }
     if (taken < this.free) return true
-    if (this.asked > 0) {
+    if (asked > 0) {
       if (!(v > this.slowest && v < this.fastest && s > this.low && s < this.high)) return false
       this.taken = taken
       if (this.atEnd === 1) {
         this.endS = s
         this.endV = v
-        apart(parts[1]!, this)
+        apart(this.note, this)
       } else this.summed += this.rubbing * Math.abs(s - this.s)
     }
     this.s = s
     this.v = v
-    this.known = this.reusable
-    return taken < this.asked
+    return taken < asked
   }
 
   /** Counts a step whose equation was not solved to rounding. */
@@ -202,9 +209,6 @@ export class Motion {
     this.outcome = outcome
   }
 }
-
-// A list, since a function that an engine knows to be always the same it would compile in after all.
-const parts = [accelerate, endStep]
 
 function accelerate(motion: Motion): void {
   const { contact, forces, law, askedS: s, askedV: v } = motion

