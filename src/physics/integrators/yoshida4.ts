@@ -21,13 +21,14 @@ export const yoshida4 = {
   colour: 5,
   step(motion: Motion): void {
     const { reusable } = motion
-    let { s, v, a, known } = motion
+    let { s, v } = motion
+    if (motion.known === 0) motion.a = motion.acceleration(s, v)
+    let { a } = motion
     let first = a
     let taken = 0
-    do {
+    for (;;) {
       const outer = OUTER * motion.dt
       const inner = INNER * motion.dt
-      if (known === 0) a = motion.acceleration(s, v)
       first = a
       // The first part stands by itself: a loop of two is a third faster than one of three.
       let before = a
@@ -42,8 +43,9 @@ export const yoshida4 = {
         v = v + 0.5 * (before + a) * part
         if (part === outer) break
       }
-      known = reusable
-    } while (motion.goesOn(s, v, ++taken))
+      if (!motion.goesOn(s, v, ++taken)) break
+      if (reusable === 0) a = motion.acceleration(s, v)
+    }
     motion.a = motion.taken < motion.asked ? first : a
   },
 } as const satisfies Integrator
