@@ -72,7 +72,8 @@ test('it needs no other file, has its fonts, and plays', async () => {
   expect(readdirSync(stick)).toEqual(['renamed and moved.html'])
   const { page, said, spread } = await openFile()
   expect(await spread.innerText()).toBe('0.23\u2009m')
-  expect(await fonts(page)).toEqual(['Inter', 'STIX Two Math', 'STIX Two Text'])
+  // Those of formulas are asked for when their section is laid out.
+  await expect.poll(() => fonts(page)).toEqual(['Inter', 'STIX Two Math', 'STIX Two Text'])
   const time = page.getByRole('slider', { name: 'Time' }).first()
   await page.getByRole('button', { name: 'To the start' }).first().click()
   expect(await time.inputValue()).toBe('0')
