@@ -93,6 +93,7 @@ test('a run that is too long is cut to its beginning, others are left as they ar
 
 test('without delta time only the fast one is at rest after a second', () => {
   const preset = presets.find(({ label }) => label === 'Without delta time')!
+  expect(preset.watch).toContain('After a second only the fast one is at rest.')
   expect(preset.shown.state.duration).toBe(1)
   const rests = experimentsOf(preset).map((each) => endOf(simulate(each))?.kind === 'at-rest')
   expect(rests).toEqual([false, false, true])

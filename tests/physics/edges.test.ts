@@ -1,6 +1,6 @@
 /** Steps at the edge of a case: that begin where they end, that turn where nothing rubs, that leave by the other side. */
 import { describe, expect, it } from 'vitest'
-import { createRun, simulate } from '../../src/physics/index.ts'
+import { createRun, simulate, traceFrame } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { last } from './truth.ts'
 
@@ -26,6 +26,38 @@ describe('a block that sets off and comes to rest again within one step', () => 
     expect(Math.abs(nearer.v)).toBeGreaterThan(0)
     // And the place goes on in a straight line to that of the stop, but for the square of a millionth.
     expect(2 * nearer.s - near.s).toBeCloseTo(stopped.s, 10)
+  })
+})
+
+describe('the search for a stop', () => {
+  it('asks for as many accelerations as it needs, and no more', () => {
+    const braking: Experiment = {
+      scene: 'ramp',
+      parameters: { angle: 0, muStatic: 0.5, muKinetic: 0.5, speed: 1 },
+      integrator: 'velocity-verlet',
+      stopping: 'located',
+      frames: { kind: 'steady', fps: 10 },
+      duration: 0.3,
+    }
+    // The first; one at the end of each of three steps, the third of which goes too far; one at the end of the step that is
+    // cut, since a speed that falls evenly is met at the first try; and one that shows that the block stays.
+    expect(simulate(braking).evaluations).toBe(1 + 3 + 1 + 1)
+  })
+
+  it('begins with half of a step that ends beyond a turn and begins at one', () => {
+    const released: Experiment = {
+      scene: 'half-pipe',
+      parameters: { radius: 0.5, position: 0.4, speed: 0, muStatic: 0.9, muKinetic: 0.2 },
+      integrator: 'rk4',
+      stopping: 'located',
+      frames: { kind: 'steady', fps: 1 },
+      duration: 1,
+    }
+    const [step] = traceFrame(released, 1)
+    const lengths = step!.stretches[0]!.tries.map(({ dt }) => dt)
+    expect(lengths.slice(0, 2)).toEqual([1, 0.5])
+    // Four each, and the one that shows that the block sets off, and later the one that it stays.
+    expect(simulate(released).evaluations).toBe(4 * lengths.length + 2)
   })
 })
 

@@ -34,7 +34,7 @@ const places = (page: Page) =>
     ),
   )
 
-test('the first paint waits for the page and one file of styles, and for no script', async () => {
+test('the first paint waits for the page and one file of styles', async () => {
   const { page } = await openPage({ path: '404.html' })
   const asked: string[] = []
   await page.route('**/*', (route) => {
@@ -47,6 +47,34 @@ test('the first paint waits for the page and one file of styles, and for no scri
   await page.goto(inject('address'), { waitUntil: 'commit' })
   await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length)
   expect(asked).toHaveLength(1)
+})
+
+test('what makes the page alive runs after its first frame', async () => {
+  const { page } = await openPage({ path: '404.html' })
+  await page.addInitScript(() => {
+    const frame = window.requestAnimationFrame.bind(window)
+    const held: FrameRequestCallback[] = []
+    window.requestAnimationFrame = (then) => held.push(then)
+    Object.assign(window, {
+      letFramesGo: () => {
+        window.requestAnimationFrame = frame
+        for (const then of held) frame(then)
+      },
+    })
+  })
+  await page.goto(inject('address'))
+  const isAlive = () => page.evaluate(() => customElements.get('slide-lab') !== undefined)
+  // All that it needs is there by now, and without a frame it would never come.
+  await page.waitForTimeout(500)
+  expect(await isAlive()).toBe(false)
+  await page.evaluate(() => (window as unknown as { letFramesGo: () => void }).letFramesGo())
+  await expect.poll(isAlive).toBe(true)
+  // And nothing that is imported at once is more than a few lines.
+  const html = await (await page.request.get(inject('address'))).text()
+  const [, script] = /<script type="module"[^>]* src="([^"]+)"/.exec(html)!
+  const code = await (await page.request.get(new URL(script!, inject('address')).href)).text()
+  const imported = [...code.matchAll(/\bimport\s*(?:[\w{},* ]+from)?\s*["'`]([^"'`]+)/g)]
+  for (const [, name] of imported) expect(name).toMatch(/\/load-/)
 })
 
 test('the picture, the buttons, the time and undo are alive before anything else is loaded', async () => {

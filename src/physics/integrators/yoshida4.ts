@@ -30,7 +30,7 @@ export const yoshida4 = {
       const outer = OUTER * motion.dt
       const inner = INNER * motion.dt
       first = a
-      // The first part stands by itself: a loop of two is a third faster than one of three.
+      // The first part stands by itself: engines run a loop of two better than one of three.
       let before = a
       s = s + (v + 0.5 * before * outer) * outer
       a = motion.acceleration(s, v + before * outer)
