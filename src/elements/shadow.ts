@@ -1,4 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
+import { onSight } from '../figure/sight.ts'
 import { themeChanged } from '../figure/theme.ts'
 import { styles } from './styles.ts'
 
@@ -13,8 +14,9 @@ export class Shadow implements ReactiveController {
   readonly root: HTMLElement
   private readonly caption = document.createElement('slot')
   private readonly states: CustomStateSet
+  private stopWatching = () => {}
 
-  constructor(host: ReactiveControllerHost & HTMLElement) {
+  constructor(private readonly host: ReactiveControllerHost & HTMLElement) {
     this.states = host.attachInternals().states
     this.root = document.createElement(`${host.localName}-root`)
     this.root.tabIndex = -1
@@ -26,9 +28,7 @@ export class Shadow implements ReactiveController {
     this.caption.name = 'caption'
     // See styles.ts: a property that shows the colour scheme, and says so when it changes.
     this.caption.addEventListener('transitionrun', ({ target }) => {
-      if (target !== this.caption) return
-      this.hostConnected()
-      themeChanged()
+      if (target === this.caption) this.follow()
     })
     const shadow = host.attachShadow({ mode: 'open' })
     shadow.adoptedStyleSheets = [styles()]
@@ -37,8 +37,20 @@ export class Shadow implements ReactiveController {
   }
 
   hostConnected(): void {
+    this.follow()
+    // What is not displayed, in a closed tab of the page, has no transitions: it looks again when it is shown.
+    this.stopWatching = onSight(this.host, () => this.follow())
+  }
+
+  hostDisconnected(): void {
+    this.stopWatching()
+  }
+
+  private follow(): void {
     const isDark = getComputedStyle(this.caption).columnRuleColor === 'rgb(255, 255, 255)'
+    if (isDark === this.states.has('dark')) return
     if (isDark) this.states.add('dark')
     else this.states.delete('dark')
+    themeChanged()
   }
 }

@@ -4,7 +4,8 @@ import css from '../styles/elements.css?inline'
  * What the page says of its own text ends at the edge; the caption is the page's. `--slide-unit` is what the styles' rem
  * is here: the text size that the reader has chosen, or that of `--size`, whatever the page's own root has.
  *
- * `column-rule-color` shows nothing: it is what shadow.ts reads the page's colour scheme from.
+ * `column-rule-color` shows nothing: it is what shadow.ts reads the page's colour scheme from. By `step-start` it has its
+ * new value as soon as its transition runs.
  */
 const shell = `
 :host { display: block; --size: medium }
@@ -14,7 +15,7 @@ const shell = `
 slot { display: block }
 slide-figure-root > slot, .problem { margin: 0; padding: 1em 1.25em }
 .problem { color: var(--wrong) }
-[name] { column-rule-color: light-dark(#000, #fff); transition: column-rule-color 1ms }
+[name] { column-rule-color: light-dark(#000, #fff); transition: column-rule-color 1ms step-start }
 :host([theme=light]) [name=caption] { color-scheme: light }
 :host([theme=dark]) [name=caption] { color-scheme: dark }
 `

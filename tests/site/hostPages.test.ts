@@ -303,4 +303,28 @@ describe('light and dark', () => {
     await expect.poll(corner).toBe('239,236,228,255')
     expect(problems()).toEqual([])
   })
+
+  test('a transition that has not got anywhere shows the new colours already', async () => {
+    const { page } = await openHost(lab, { root: 'style="color-scheme: light"' })
+    await page.locator('.sheet').waitFor()
+    const session = await page.context().newCDPSession(page)
+    await session.send('Animation.enable')
+    await session.send('Animation.setPlaybackRate', { playbackRate: 0 })
+    await page.evaluate(() => (document.documentElement.style.colorScheme = 'dark'))
+    await expect.poll(() => sheet(page)).toBe(DARK)
+  })
+
+  test('what was not displayed when the page changed is as the page when it is shown', async () => {
+    const { page } = await openHost(`<section>${lab}</section>`, {
+      root: 'style="color-scheme: light"',
+    })
+    await page.locator('.sheet').waitFor()
+    const show = (display: string) =>
+      page.evaluate((display) => (document.querySelector('section')!.style.display = display), display)
+    await show('none')
+    await page.evaluate(() => (document.documentElement.style.colorScheme = 'dark'))
+    await page.evaluate(() => new Promise(requestAnimationFrame))
+    await show('block')
+    await expect.poll(() => sheet(page)).toBe(DARK)
+  })
 })
