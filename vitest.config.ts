@@ -35,6 +35,9 @@ export default defineConfig({
           name: 'site',
           include: ['tests/site/**/*.test.ts'],
           globalSetup: 'tests/site/setup.ts',
+          // A browser on a machine shared with others fails now and then by itself: what fails twice is a fault, and
+          // what needed its second time is printed with "retry x1".
+          retry: 1,
         },
       },
     ],
