@@ -11,8 +11,8 @@ import { SlideLabElement } from './elements/lab.ts'
 export { SlideFigureElement, SlideLabElement }
 export { setSite }
 
-// A page that has it twice, from two places, keeps the first.
-if (!customElements.get('slide-lab')) {
+// A server has no page to define them in. A page that has it twice, from two places, keeps the first.
+if (typeof document === 'object' && !customElements.get('slide-lab')) {
   setSite(new URL(/* @vite-ignore */ './', import.meta.url).href)
   defineParts()
   customElements.define('slide-lab', SlideLabElement)

@@ -92,7 +92,9 @@ export class SlideFigureElement extends SlideFigure {
   }
 
   override shouldUpdate(changed: PropertyValues): boolean {
-    if (changed.get('name') !== undefined) this.wakeAnew()
+    // A first name is one that it has not yet come alive without.
+    const isRenamed = changed.get('name') !== undefined || this.problems.name
+    if (changed.has('name') && isRenamed) this.wakeAnew()
     else if (changed.has('values') && this.view) this.#take()
     if (changed.has('theme') && this.view) this.#noteTheme()
     return Object.keys(this.problems).length > 0 || super.shouldUpdate(changed)
@@ -115,6 +117,8 @@ export class SlideFigureElement extends SlideFigure {
     const { root } = this.#shadow
     this.#taken = null
     this.#note('values', '')
+    // The page may have had it change before it put it anywhere.
+    await this.updateComplete
     try {
       await super.comeAlive()
       this.#note('name', '')

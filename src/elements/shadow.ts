@@ -3,12 +3,15 @@ import { onSight } from '../figure/sight.ts'
 import { themeChanged } from '../figure/theme.ts'
 import { styles } from './styles.ts'
 
+const printing = ['beforeprint', 'afterprint'] as const
+
 /**
  * The shadow root of an element, which lets the page around it and it leave each other alone. In it is a root to render
  * into, with the element's name and `-root`; it takes the focus in the element's place: a shadow host that can have the
  * focus itself, but not by Tab, would keep Tab from all that is in it. Below it is the page's caption.
  *
  * The element is dark where the page is: as the browser draws its own buttons there, by the CSS property `color-scheme`.
+ * Paper is light.
  */
 export class Shadow implements ReactiveController {
   readonly root: HTMLElement
@@ -30,24 +33,29 @@ export class Shadow implements ReactiveController {
     this.caption.addEventListener('transitionrun', ({ target }) => {
       if (target === this.caption) this.follow()
     })
-    const shadow = host.attachShadow({ mode: 'open' })
-    shadow.adoptedStyleSheets = [styles()]
-    shadow.append(edge, this.caption)
+    host.attachShadow({ mode: 'open' }).append(edge, this.caption)
     host.addController(this)
   }
 
   hostConnected(): void {
+    const { shadowRoot, ownerDocument } = this.host
+    // One that has been moved into the page of a frame has left its styles behind.
+    const view = ownerDocument.defaultView
+    if (view) shadowRoot!.adoptedStyleSheets = [styles(view)]
     this.follow()
+    for (const type of printing) addEventListener(type, this.follow)
     // What is not displayed, in a closed tab of the page, has no transitions: it looks again when it is shown.
     this.stopWatching = onSight(this.host, () => this.follow())
   }
 
   hostDisconnected(): void {
     this.stopWatching()
+    for (const type of printing) removeEventListener(type, this.follow)
   }
 
-  private follow(): void {
-    const isDark = getComputedStyle(this.caption).columnRuleColor === 'rgb(255, 255, 255)'
+  private readonly follow = (event?: Event): void => {
+    const { columnRuleColor } = getComputedStyle(this.caption)
+    const isDark = event?.type !== printing[0] && columnRuleColor === 'rgb(255, 255, 255)'
     if (isDark === this.states.has('dark')) return
     if (isDark) this.states.add('dark')
     else this.states.delete('dark')

@@ -4,35 +4,46 @@ import css from '../styles/elements.css?inline'
  * What the page says of its own text ends at the edge; the caption is the page's. `--slide-unit` is what the styles' rem
  * is here: the text size that the reader has chosen, or that of `--size`, whatever the page's own root has.
  *
+ * Where the page asks how wide it would like to be, in a row or a table, it is as wide as a column of text.
+ *
  * `column-rule-color` shows nothing: it is what shadow.ts reads the page's colour scheme from. By `step-start` it has its
  * new value as soon as its transition runs.
+ *
+ * On paper there is nothing to press, as in print.css.
  */
 const shell = `
-:host { display: block; --size: medium }
+:host { display: block; min-width: 0; break-inside: avoid; --size: medium }
 :host([hidden]) { display: none }
 .edge { all: initial; display: block; direction: ltr; font-size: var(--size); --slide-unit: 1em; color-scheme: light; color: var(--ink) }
 :host(:state(dark)) .edge { color-scheme: dark }
+.edge > * { contain-intrinsic-inline-size: min(40rem, 80vw) }
 slot { display: block }
 slide-figure-root > slot, .problem { margin: 0; padding: 1em 1.25em }
 .problem { color: var(--wrong) }
 [name] { column-rule-color: light-dark(#000, #fff); transition: column-rule-color 1ms step-start }
 :host([theme=light]) [name=caption] { color-scheme: light }
 :host([theme=dark]) [name=caption] { color-scheme: dark }
+@media print {
+  .sheet > :not(slide-stage), .controls, .transport-line, .link-problems { display: none !important }
+  .below { min-height: 0 !important }
+}
 `
 
 /** The font size of both roots, in which containers measure themselves [rem]. */
 const ROOT_FONT = 0.875
 
-let sheet: CSSStyleSheet | undefined
+const sheets = new WeakMap<Window, CSSStyleSheet>()
 
-/** The styles of both elements, for their shadow roots. */
-export function styles(): CSSStyleSheet {
-  if (sheet) return sheet
-  sheet = new CSSStyleSheet()
+/** The styles of both elements, for their shadow roots in the page of a window: no other page takes that page's. */
+export function styles(view: Window & typeof globalThis): CSSStyleSheet {
+  const known = sheets.get(view)
+  if (known) return known
+  const sheet = new view.CSSStyleSheet()
+  sheets.set(view, sheet)
   sheet.replaceSync(shell + inUnits(inShadow(css)))
   const unit = { name: '--slide-unit', syntax: '<length>', inherits: true, initialValue: '16px' }
   try {
-    CSS.registerProperty(unit)
+    view.CSS.registerProperty(unit)
   } catch {
     // Another copy of this module has done it.
   }

@@ -4,16 +4,20 @@ type Seen = (isSeen: boolean) => void
 class Sight {
   // Weak, since an element may watch itself for as long as it lives.
   private readonly listeners = new WeakMap<Element, Set<Seen>>()
-  private readonly observer: IntersectionObserver
+  private made: IntersectionObserver | undefined
 
-  constructor(rootMargin: string) {
-    this.observer = new IntersectionObserver(
+  constructor(private readonly rootMargin: string) {}
+
+  /** Made when the first asks, since a server that imports the elements has no such thing. */
+  private get observer(): IntersectionObserver {
+    const { rootMargin } = this
+    return (this.made ??= new IntersectionObserver(
       (entries) => {
         for (const { target, isIntersecting } of entries)
           for (const listener of this.listeners.get(target) ?? []) listener(isIntersecting)
       },
       { rootMargin },
-    )
+    ))
   }
 
   readonly watch = (element: Element, seen: Seen): (() => void) => {

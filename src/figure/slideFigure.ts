@@ -140,13 +140,13 @@ export class SlideFigure extends LitElement {
     this.live = live
     const root = this.renderRoot as HTMLElement
     root.style.cssText = live.frameOf(figure)
-    this.role = 'group'
-    this.ariaLabel = figure.title
+    root.role = 'group'
+    root.ariaLabel = figure.title
     this.show(live.initialValues(figure.controls))
     if (figure.opensAtStart) this.playback.toStart()
     // The still goes in the same turn in which the live picture comes.
     if (!this.hasUpdated) root.replaceChildren()
-    this.toggleAttribute('live', true)
+    root.toggleAttribute('live', true)
     if (Object.keys(asked).length > 0) this.set(asked)
   }
 

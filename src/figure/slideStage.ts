@@ -4,6 +4,7 @@ import type { Handle, HandleId, Picture } from '../view/picture.ts'
 import { Stage } from '../view/stage.ts'
 import { shownNumber } from './numberText.ts'
 import type { Playback } from './playback.ts'
+import { pointIn } from './pointIn.ts'
 import { onThemeChange } from './theme.ts'
 
 const purposes: Readonly<Record<HandleId, string>> = {
@@ -122,7 +123,7 @@ export class SlideStage extends LitElement {
   private take(event: PointerEvent, { id, x, y }: Handle): void {
     if (event.button !== 0) return
     ;(event.currentTarget as HTMLElement).setPointerCapture(event.pointerId)
-    const at = this.pointAt(event)
+    const at = pointIn(this.canvas, event)
     this.grip = { x: x - at.x, y: y - at.y }
     this.stage.frozen = true
     this.held = id
@@ -130,7 +131,7 @@ export class SlideStage extends LitElement {
 
   private readonly move = (event: PointerEvent): void => {
     if (!this.held) return
-    const { x, y } = this.pointAt(event)
+    const { x, y } = pointIn(this.canvas, event)
     this.change(this.stage.drag(this.held, x + this.grip.x, y + this.grip.y))
   }
 
@@ -149,11 +150,6 @@ export class SlideStage extends LitElement {
     if (next === undefined) return
     event.preventDefault()
     this.change({ [parameter]: Math.min(max, Math.max(min, next)) })
-  }
-
-  private pointAt({ clientX, clientY }: PointerEvent): { x: number; y: number } {
-    const { left, top } = this.canvas.getBoundingClientRect()
-    return { x: clientX - left, y: clientY - top }
   }
 }
 

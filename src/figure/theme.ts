@@ -1,10 +1,10 @@
-const dark = matchMedia('(prefers-color-scheme: dark)')
 const followers = new Set<() => void>()
 
 /** Calls back whenever the page's colours may have changed: for what reads them once, such as a canvas. Returns its undoing. */
 export function onThemeChange(callback: () => void): () => void {
   const observer = new MutationObserver(callback)
   observer.observe(document.documentElement, { attributeFilter: ['data-theme'] })
+  const dark = matchMedia('(prefers-color-scheme: dark)')
   dark.addEventListener('change', callback)
   followers.add(callback)
   return () => {

@@ -61,7 +61,7 @@ test.each([{}, { colorScheme: 'dark' as const }, { width: 390 }])(
       options,
     )
     expect(await spread(page)).toBe('0.23\u2009m')
-    await page.locator('slide-figure[live]').waitFor()
+    await page.locator('slide-figure [live]').waitFor()
     const style = (selector: string, name: string) =>
       page
         .locator(selector)
@@ -163,7 +163,7 @@ test('a theme that there is not is told of, and changes nothing that a reader ha
   )
   await page.getByRole('button', { name: 'Located' }).click()
   await expect.poll(() => spread(page)).toMatch(/^0/)
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   for (const element of [lab(page), page.locator('slide-figure')]) {
     await element.evaluate((each) => each.setAttribute('theme', 'sepia'))
     await expect
@@ -179,8 +179,8 @@ test('a figure tells its changes, and a name that there is not', async () => {
   const { page } = await openHost(
     '<slide-figure name="area-under-v" style="max-width: 400px"></slide-figure><slide-figure name="no"></slide-figure>',
   )
-  const figure = page.locator('slide-figure[name=area-under-v][live]')
-  await figure.waitFor()
+  const figure = page.locator('slide-figure[name=area-under-v]')
+  await figure.locator('[live]').waitFor()
   expect((await figure.boundingBox())!.width).toBe(400)
   await expect.poll(() => page.getByRole('alert').innerText()).toContain('There is no figure “no”')
   await figure.evaluate((element) =>
@@ -293,7 +293,7 @@ test('axe finds nothing in a page with both', async () => {
     '<slide-lab></slide-lab><slide-figure name="area-under-v"></slide-figure>',
   )
   await page.locator('slide-figure').scrollIntoViewIfNeeded()
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   const { violations } = await new AxeBuilder({ page })
     .include('slide-lab')
     .include('slide-figure')

@@ -90,11 +90,11 @@ async function useAll(page: Page): Promise<void> {
   await whole.getByRole('button', { name: 'To the start' }).click()
   await whole.getByRole('button', { name: 'Play' }).click()
   await page.locator('#moving').scrollIntoViewIfNeeded()
-  await page.locator('#moving[live]').waitFor()
+  await page.locator('#moving [live]').waitFor()
   await page.locator('#moving .controls').getByRole('slider').first().press('ArrowRight')
   await page.locator('#moving').getByRole('button', { name: 'Play' }).click()
   await page.locator('#still').scrollIntoViewIfNeeded()
-  await page.locator('#still[live]').waitFor()
+  await page.locator('#still [live]').waitFor()
   await page.locator('#wrong').scrollIntoViewIfNeeded()
   await page.locator('#wrong').getByRole('alert').waitFor()
 }

@@ -250,7 +250,7 @@ describe('under a strict Content-Security-Policy', () => {
     await page.locator('slide-lab').getByRole('button', { name: 'Located' }).click()
     await page.locator('slide-lab').getByRole('checkbox', { name: 'Show forces' }).check()
     await scrollThrough(page)
-    await page.locator('slide-figure[live]').last().waitFor()
+    await page.locator('slide-figure [live]').last().waitFor()
     expect(broken).toEqual([])
     expect(problems().filter((each) => !each.includes(host))).toEqual([])
   })

@@ -1,3 +1,4 @@
+import { execFileSync } from 'node:child_process'
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
@@ -79,6 +80,44 @@ const start = {
   error: '',
 }
 
+/** The same page, written on a server and taken over by the library in the browser, when `window.takeOver` is called. */
+const rendered = {
+  React: {
+    page: `
+      import { createElement as h } from 'react'
+      export const page = h('main', null,
+        h('slide-lab', { compact: true, fps: '10 60', onchange: () => {} }, h('p', null, 'Blocks')),
+        h('slide-figure', { name: 'area-under-v', values: '{"step":0.3}' }, h('em', { slot: 'caption' }, 'Fig. 1')))`,
+    server: `
+      import { renderToString } from 'react-dom/server'
+      import { page } from './page.js'
+      process.stdout.write(renderToString(page))`,
+    client: `
+      import { createElement as h, useEffect } from 'react'
+      import { hydrateRoot } from 'react-dom/client'
+      import { page } from './page.js'
+      const App = () => (useEffect(() => { window.isTaken = true }), page)
+      window.takeOver = () => void hydrateRoot(document.querySelector('#app'), h(App))`,
+  },
+  Vue: {
+    page: `
+      import { createSSRApp, h } from 'vue'
+      export const app = createSSRApp({ render: () => h('main', [
+        h('slide-lab', { compact: true, fps: '10 60', onChange: () => {} }, [h('p', 'Blocks')]),
+        h('slide-figure', { name: 'area-under-v', values: '{"step":0.3}' }, [h('em', { slot: 'caption' }, 'Fig. 1')])]) })`,
+    server: `
+      import { renderToString } from 'vue/server-renderer'
+      import { app } from './page.js'
+      process.stdout.write(await renderToString(app))`,
+    client: `
+      import { app } from './page.js'
+      window.takeOver = () => {
+        app.mount('#app')
+        window.isTaken = true
+      }`,
+  },
+}
+
 const root = join(import.meta.dirname, '../..')
 const cache = join(root, 'node_modules/.cache')
 let folder: string
@@ -91,9 +130,9 @@ beforeAll(() => {
 
 afterAll(() => rmSync(folder, { recursive: true, force: true }))
 
-async function bundled(name: keyof typeof apps): Promise<string> {
+async function bundled(name: keyof typeof apps, code = apps[name]): Promise<string> {
   const input = join(folder, `${name}.js`)
-  writeFileSync(input, apps[name])
+  writeFileSync(input, code)
   const built = await build({
     ...{ root: folder, configFile: false, logLevel: 'silent' },
     // The libraries' development builds, which complain.
@@ -101,7 +140,7 @@ async function bundled(name: keyof typeof apps): Promise<string> {
       'process.env.NODE_ENV': '"development"',
       __VUE_OPTIONS_API__: 'true',
       __VUE_PROD_DEVTOOLS__: 'false',
-      __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: 'false',
+      __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: 'true',
     },
     build: { write: false, minify: false, rolldownOptions: { input } },
   })
@@ -123,7 +162,7 @@ async function openApp(name: keyof typeof apps) {
   )
   const opened = await openAt(address)
   const { page } = opened
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   return { ...opened, address, ...reading(page) }
 }
 
@@ -210,7 +249,9 @@ describe.each(['React', 'Vue'] as const)('%s', (name) => {
     await expect.poll(() => figure.getByRole('alert').innerText()).toContain('no figure “no-such”')
     expect((await known()).error).toContain('no-such')
     await put({ values: {}, name: 'mass-cancels' })
-    await expect.poll(() => figure.getAttribute('aria-label')).toBe('A light block and a heavy one')
+    await expect
+      .poll(() => figure.getByRole('group').first().getAttribute('aria-label'))
+      .toBe('A light block and a heavy one')
     expect(await figure.getByRole('alert').count()).toBe(0)
     expect(problems()).toEqual([])
   })
@@ -221,11 +262,39 @@ describe.each(['React', 'Vue'] as const)('%s', (name) => {
       await put({ shown: false })
       await expect.poll(() => page.locator('slide-lab, slide-figure').count()).toBe(0)
       await put({ shown: true, time: i })
-      await page.locator('slide-figure[live]').waitFor()
+      await page.locator('slide-figure [live]').waitFor()
     }
     expect(await page.getByText('Fig. 19.0').isVisible()).toBe(true)
     expect(await page.getByText('A picture').isVisible()).toBe(false)
     expect(await shown()).toMatchObject([{ parameters: { angle: 20 } }])
+    expect(problems()).toEqual([])
+  })
+
+  test('a page that was written on a server is taken over, by the elements and by the library', async () => {
+    const { page: parts, server, client } = rendered[name]
+    writeFileSync(join(folder, 'page.js'), parts)
+    writeFileSync(join(folder, 'server.mjs'), server)
+    const markup = execFileSync(process.execPath, [join(folder, 'server.mjs')], {
+      encoding: 'utf8',
+    })
+    expect(markup).toContain('fps="10 60"')
+    const code = await bundled(name, `import './slide-lab.js'\n${client}`)
+    const html = `<!doctype html><html lang="en"><title>${name}</title><div id="app">${markup}</div>
+      <script type="module" src="app.js"></script></html>`
+    const address = await serve((path) =>
+      path === 'app.js' ? { body: code, type: 'text/javascript' } : { body: html },
+    )
+    const { page, problems } = await openAt(address)
+    const { shown, values } = reading(page)
+    // As late as can be: both are alive.
+    await page.locator('slide-figure [live]').waitFor()
+    await page.locator('slide-lab [part=link]').waitFor()
+    await page.evaluate(() => (window as unknown as { takeOver: () => void }).takeOver())
+    await page.waitForFunction(() => (window as unknown as { isTaken?: true }).isTaken)
+    expect(await shown()).toMatchObject([{ frames: { fps: 10 } }, { frames: { fps: 60 } }])
+    expect(await values()).toMatchObject({ step: 0.3 })
+    expect(await page.getByText('Fig. 1').isVisible()).toBe(true)
+    expect(await page.locator('slide-lab').count()).toBe(1)
     expect(problems()).toEqual([])
   })
 })

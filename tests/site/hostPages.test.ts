@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import { beforeAll, describe, expect, test } from 'vitest'
+import type { SlideFigureElement } from '../../src/elements.ts'
 import { buildElements, openAt, serve } from './hosts.ts'
 
 /* The elements in pages of plain HTML: whatever those do, both go on as they were. */
@@ -30,7 +31,7 @@ const spread = (page: Page) => page.locator('slide-lab .spread output').first().
 test.each(['before', 'after'])('the module %s the markup', async (where) => {
   const head = where === 'before' ? '<script type="module" src="slide-lab.js"></script>' : ''
   const { page, problems } = await openHost(lab + figure, { head })
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   expect(await spread(page)).toBe('0.23\u2009m')
   expect(problems()).toEqual([])
 })
@@ -39,7 +40,7 @@ test('README’s example', async () => {
   const readme = readFileSync(join(import.meta.dirname, '../../README.md'), 'utf8')
   const [, example] = /```html\n([^]*?slide-figure[^]*?)```/.exec(readme)!
   const { page, problems } = await openHost(example!)
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   await page.locator('slide-lab [part=link]').waitFor()
   expect(await page.getByText('Fig. 1').isVisible()).toBe(true)
   expect(await page.getByRole('alert').count()).toBe(0)
@@ -110,7 +111,7 @@ test('what stands between the tags is there until the elements are, and captions
   // Far from the window it is not alive.
   expect(await seen('Instead of slide-figure')).toBe(true)
   await page.locator('slide-figure').scrollIntoViewIfNeeded()
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   expect(await seen('Instead of slide-figure')).toBe(false)
   expect(await seen('Under slide-figure')).toBe(true)
   expect(await page.locator('slide-figure').evaluate(({ children }) => children.length)).toBe(2)
@@ -133,7 +134,7 @@ test('many on a page: each is its own, and none works when nothing moves', async
   expect(await spread(page)).toBe('0.23\u2009m')
   for (const each of await page.locator('slide-figure').all()) {
     await each.scrollIntoViewIfNeeded()
-    await expect.poll(() => each.getAttribute('live')).not.toBe(null)
+    await each.locator('[live]').waitFor()
   }
   await page.locator('slide-lab:not([gliding])').nth(9).waitFor()
   const asked = await page.evaluate(async () => {
@@ -158,8 +159,152 @@ test('the module twice, from two places', async () => {
   const { page, problems } = await openHost(lab + figure, {
     head: '<script type="module" src="old/slide-lab.js"></script><script type="module" src="new/slide-lab.js?2"></script>',
   })
-  await page.locator('slide-figure[live]').waitFor()
+  await page.locator('slide-figure [live]').waitFor()
   expect(await spread(page)).toBe('0.23\u2009m')
+  expect(problems()).toEqual([])
+})
+
+/** Whether a page's two elements can be seen, with their styles, and their pictures are as wide as they are. */
+function areWhole(): boolean {
+  const hosts = [...document.querySelectorAll<HTMLElement>('slide-lab, slide-figure')]
+  return hosts.every(({ shadowRoot, clientWidth }) => {
+    const canvas = shadowRoot!.querySelector('canvas')
+    // The card's edge is 1 px.
+    return clientWidth > 300 && canvas?.clientWidth === clientWidth - 2 && canvas.width > 300
+  })
+}
+
+const places: readonly (readonly [string, string, () => void])[] = [
+  [
+    'moved elsewhere',
+    '$',
+    () => document.body.prepend(...document.querySelectorAll('[name], [compact]')),
+  ],
+  [
+    'cloned',
+    '<section>$</section>',
+    () => {
+      const section = document.querySelector('section')!
+      section.replaceWith(section.cloneNode(true))
+    },
+  ],
+  [
+    'from a template',
+    '<template>$</template>',
+    () => document.body.append(document.querySelector('template')!.content.cloneNode(true)),
+  ],
+  [
+    'in what was closed',
+    '<details><summary>More</summary>$</details>',
+    () => (document.querySelector('details')!.open = true),
+  ],
+  [
+    'in a tab that was not displayed',
+    '<section hidden>$</section>',
+    () => (document.querySelector('section')!.hidden = false),
+  ],
+  [
+    'in a place that had no width',
+    '<section style="width: 0; overflow: hidden">$</section>',
+    () => (document.querySelector('section')!.style.width = ''),
+  ],
+  [
+    'moved into the page of a frame',
+    '$<iframe style="width: 900px; height: 1500px"></iframe>',
+    () =>
+      document
+        .querySelector('iframe')!
+        .contentDocument!.body.append(...document.querySelectorAll('[name], [compact]')),
+  ],
+]
+
+test.each(places)('%s, both are as anywhere', async (_, place, act) => {
+  const { page, problems } = await openHost(place.replace('$', lab + figure), { height: 1600 })
+  await page.waitForFunction(() => customElements.get('slide-figure') !== undefined)
+  await page.evaluate(act)
+  const where = page.frames().at(-1)!
+  await where.locator('slide-figure [live] canvas').waitFor()
+  expect(await where.locator('slide-lab, slide-figure').count()).toBe(2)
+  await expect.poll(() => where.evaluate(areWhole)).toBe(true)
+  expect(await where.locator('.spread output').innerText()).toBe('0.23\u2009m')
+  expect(problems()).toEqual([])
+})
+
+test.each([
+  ...['display: flex', 'display: inline-block', 'display: table', 'float: left'],
+  ...['position: absolute', 'width: max-content', 'display: grid; grid-template-columns: auto 1fr'],
+])('in a place that asks how wide they are, by %s, there is something to see', async (style) => {
+  const parts = [lab, figure].map((each) => `<div style="${style}">${each}</div>`).join('')
+  const { page } = await openHost(parts, { width: 390 })
+  await page.locator('slide-lab .sheet').waitFor()
+  const widths = () =>
+    page
+      .locator('slide-lab, slide-figure')
+      .evaluateAll((all) => all.map((each) => each.clientWidth))
+  // Four fifths of the window's 390 px, and no more than is there.
+  expect(Math.min(...(await widths()))).toBeGreaterThanOrEqual(312)
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390)
+  await page.setViewportSize({ width: 1280, height: 800 })
+  // The 40 rem of a column of text.
+  await expect.poll(async () => Math.min(...(await widths()))).toBe(640)
+})
+
+test.each(['zoom: 1.5', 'transform: scale(0.6)'])(
+  'what is dragged in a page of %s stays under the finger',
+  async (style) => {
+    const { page } = await openHost(
+      `<div style="width: 600px; transform-origin: 0 0; ${style}">${lab + figure}</div>`,
+      {
+        height: 1800,
+      },
+    )
+    await page.locator('slide-figure [live]').waitFor()
+    for (const [name, x, y] of [
+      ['[data-handle=push]', 60, -16],
+      ['[data-control=step]', 40, 0],
+    ] as const) {
+      const handle = page.locator(name)
+      const middle = async () => {
+        const { x, y, width, height } = (await handle.boundingBox())!
+        return { x: x + width / 2, y: y + height / 2 }
+      }
+      const from = await middle()
+      await page.mouse.move(from.x, from.y)
+      await page.mouse.down()
+      await page.mouse.move(from.x + x, from.y + y, { steps: 4 })
+      // A step of what it changes is a few pixels.
+      await expect.poll(async () => Math.abs((await middle()).x - from.x - x)).toBeLessThan(6)
+      await page.mouse.up()
+    }
+  },
+)
+
+test('what a figure is asked for may come in any order', async () => {
+  const { page, problems } = await openHost('<main></main>')
+  const state = (id: string) =>
+    page.locator(`#${id}`).evaluate((element) => {
+      const { values, shadowRoot } = element as unknown as SlideFigureElement
+      return { values, alerts: shadowRoot!.querySelectorAll('[role=alert]').length }
+    })
+  await page.evaluate(async () => {
+    await customElements.whenDefined('slide-figure')
+    const add = (id: string, use: (figure: SlideFigureElement) => void) => {
+      const figure = document.createElement('slide-figure') as SlideFigureElement
+      figure.id = id
+      use(figure)
+      document.querySelector('main')!.append(figure)
+    }
+    add('unnamed', (figure) => figure.setAttribute('values', '{"step":0.3}'))
+    add('changed', (figure) => {
+      figure.name = 'area-under-v'
+      figure.set({ step: 0.7 })
+    })
+  })
+  await page.locator('#unnamed').getByRole('alert').waitFor()
+  await page.locator('#unnamed').evaluate((figure) => figure.setAttribute('name', 'area-under-v'))
+  const given = (step: number) => ({ alerts: 0, values: { step, method: 'semi-implicit-euler' } })
+  await expect.poll(() => state('unnamed')).toEqual(given(0.3))
+  await expect.poll(() => state('changed')).toEqual(given(0.7))
   expect(problems()).toEqual([])
 })
 
@@ -240,7 +385,7 @@ test.each([
       root,
       head: `<style>${css}</style><style>${box.replaceAll(/; | }/g, ' !important$&')}</style>`,
     })
-    await page.locator('slide-figure[live]').waitFor()
+    await page.locator('slide-figure [live]').waitFor()
     await page.locator('slide-lab [part=link]').waitFor()
     return { page, problems }
   }
@@ -262,6 +407,14 @@ describe('light and dark', () => {
   const LIGHT = 'rgb(255, 255, 255)'
   const DARK = 'rgb(27, 32, 38)'
 
+  /** The colour of the ground in the picture of a lab. */
+  const groundOf = (page: Page) =>
+    page.locator('slide-stage canvas').evaluate((canvas) => {
+      const one = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!
+      one.drawImage(canvas as HTMLCanvasElement, -2, 3 - (canvas as HTMLCanvasElement).height)
+      return [...one.getImageData(0, 0, 1, 1).data].join()
+    })
+
   test.each([
     ['', 'light', LIGHT],
     ['', 'dark', LIGHT],
@@ -281,12 +434,7 @@ describe('light and dark', () => {
       document.querySelector('article')!.attachShadow({ mode: 'open' }).innerHTML = lab
     }, lab)
     await page.locator('.sheet').waitFor()
-    const corner = () =>
-      page.locator('slide-stage canvas').evaluate((canvas) => {
-        const one = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!
-        one.drawImage(canvas as HTMLCanvasElement, -2, 3 - (canvas as HTMLCanvasElement).height)
-        return [...one.getImageData(0, 0, 1, 1).data].join()
-      })
+    const corner = () => groundOf(page)
     const set = (scheme: string) =>
       page.evaluate((scheme) => (document.documentElement.style.colorScheme = scheme), scheme)
     // The ground, from theme.css.
@@ -320,11 +468,36 @@ describe('light and dark', () => {
     })
     await page.locator('.sheet').waitFor()
     const show = (display: string) =>
-      page.evaluate((display) => (document.querySelector('section')!.style.display = display), display)
+      page.evaluate(
+        (display) => (document.querySelector('section')!.style.display = display),
+        display,
+      )
     await show('none')
     await page.evaluate(() => (document.documentElement.style.colorScheme = 'dark'))
     await page.evaluate(() => new Promise(requestAnimationFrame))
     await show('block')
     await expect.poll(() => sheet(page)).toBe(DARK)
+  })
+
+  test('paper is light, and there is nothing to press on it', async () => {
+    const { page } = await openHost(lab + figure, { root: 'style="color-scheme: dark"' })
+    await page.locator('slide-figure [live]').waitFor()
+    await page.locator('slide-lab [part=link]').waitFor()
+    await expect.poll(() => groundOf(page)).toBe('36,43,51,255')
+    const print = (media: 'print' | 'screen', event: string) =>
+      page
+        .emulateMedia({ media })
+        .then(() => page.evaluate((event) => void dispatchEvent(new Event(event)), event))
+    const pressed = () => page.locator('button:visible, input:visible, a:visible').count()
+    expect(await pressed()).toBeGreaterThan(10)
+    await print('print', 'beforeprint')
+    await expect.poll(() => sheet(page)).toBe(LIGHT)
+    await expect.poll(() => groundOf(page)).toBe('239,236,228,255')
+    expect(await pressed()).toBe(0)
+    expect(await page.locator('canvas:visible').count()).toBe(2)
+    await print('screen', 'afterprint')
+    await expect.poll(() => sheet(page)).toBe(DARK)
+    await expect.poll(() => groundOf(page)).toBe('36,43,51,255')
+    expect(await pressed()).toBeGreaterThan(10)
   })
 })

@@ -3,6 +3,7 @@ import { PaletteReader } from '../../view/palette.ts'
 import type { Palette } from '../../view/palette.ts'
 import type { Simulated } from '../simulation.ts'
 import type { Playback } from '../playback.ts'
+import { pointIn } from '../pointIn.ts'
 import { onThemeChange } from '../theme.ts'
 import { boxOf } from './box.ts'
 import { drawChart } from './chart.ts'
@@ -227,10 +228,10 @@ export class LabPlot extends LitElement {
     this.point(event.pointerType === 'mouse' ? time : undefined)
   }
 
-  private timeOf({ clientX, clientY, currentTarget }: PointerEvent): number | undefined {
+  private timeOf(event: PointerEvent): number | undefined {
     const { drawing, width, height } = this
     if (!drawing) return undefined
-    const { left, top } = (currentTarget as HTMLElement).getBoundingClientRect()
-    return timeAt(drawing, boxOf(width, height), { x: clientX - left, y: clientY - top })
+    const at = pointIn(event.currentTarget as HTMLElement, event)
+    return timeAt(drawing, boxOf(width, height), at)
   }
 }

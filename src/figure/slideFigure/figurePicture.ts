@@ -5,6 +5,7 @@ import { forgetWidths } from '../../view/text.ts'
 import type { Controls, NumberControl, Values } from '../figures/control.ts'
 import type { Grip, Panel, View } from '../figures/figure.ts'
 import type { Playback } from '../playback.ts'
+import { pointIn } from '../pointIn.ts'
 import { onThemeChange } from '../theme.ts'
 import { quantityText } from './controls.ts'
 import { stepped } from './stepped.ts'
@@ -156,19 +157,14 @@ export class FigurePicture extends LitElement {
   private take(event: PointerEvent, { control, x, y }: Grip): void {
     if (event.button !== 0) return
     ;(event.currentTarget as HTMLElement).setPointerCapture(event.pointerId)
-    const at = this.pointAt(event)
+    const at = pointIn(this.canvas, event)
     this.offset = { x: x - at.x, y: y - at.y }
     this.held = control
   }
 
   private move(event: PointerEvent, grip: Grip): void {
     if (this.held !== grip.control) return
-    const { x, y } = this.pointAt(event)
+    const { x, y } = pointIn(this.canvas, event)
     this.set({ [grip.control]: grip.at({ x: x + this.offset.x, y: y + this.offset.y }) })
-  }
-
-  private pointAt({ clientX, clientY }: PointerEvent): { x: number; y: number } {
-    const { left, top } = this.canvas.getBoundingClientRect()
-    return { x: clientX - left, y: clientY - top }
   }
 }
