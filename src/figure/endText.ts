@@ -6,8 +6,10 @@ const words = { 'at-rest': '', 'left-the-track': 'left the track', diverged: 'di
 
 /** When and where a run stopped, or what else became of it: “0.70 s · 1.47 m”, “moving”, “diverged 1.20 s”. */
 export function endText(trajectory: Trajectory): { text: string; title: string } {
-  const { drawnS, frames, experiment } = trajectory
+  const { drawnS, v, frames, experiment } = trajectory
   const end = endOf(trajectory)
+  if (!end && v[frames] === 0)
+    return { text: 'at a stop', title: 'Its speed is 0 as the run is over' }
   if (!end) return { text: 'moving', title: 'Still moving when the run is over' }
   const { kind, time } = end
   const way = Math.abs(drawnS[frames]! - experiment.parameters.position!)

@@ -3,7 +3,7 @@ import type { LabView } from './labView.ts'
 import { aboutOf, modeOf, modes } from './modes.ts'
 
 /** The buttons that set all runners at once, and what the one that is pressed does. */
-export function modeButtons({ simulated, change }: LabView) {
+export function modeButtons({ simulated, preset, change }: LabView) {
   const mode = modeOf(simulated.state)
   return html`<div class="modes" part="modes">
     <div class="segments" role="group" aria-label="All runners at once">
@@ -19,7 +19,7 @@ export function modeButtons({ simulated, change }: LabView) {
       )}
     </div>
     <p class="about">
-      ${mode ? aboutOf(mode, simulated.state) : 'A mixture of your own. Any of the buttons sets all runners to one way again.'}
+      ${mode ? aboutOf(mode, simulated.state) : `A mixture${preset ? '' : ' of your own'}. Any of the buttons sets all runners to one way again.`}
     </p>
   </div>`
 }

@@ -43,7 +43,7 @@ export const modes = [
     id: 'clamped',
     label: 'Clamped',
     about:
-      'The same, but a step that would turn the velocity round ends at rest. Nothing trembles any more, and still every frame rate has a stopping place of its own.',
+      'The paper’s step, except that one which would turn the velocity round ends at rest. Nothing trembles any more, and still every frame rate has a stopping place of its own.',
     withoutFriction:
       'The paper’s step with stops mended. Without friction nothing stops, so nothing changes: every frame rate still ends at a place of its own.',
     method: {
@@ -67,9 +67,9 @@ export const modes = [
     id: 'located',
     label: 'Located',
     about:
-      'Steps along parabolas, and looks for the instant inside the step at which the block stops. On a straight track every frame rate agrees with the exact block, to the last digit.',
+      'Steps along parabolas, and looks for the instant inside the step at which the block stops. Under a constant force all frame rates agree to the last digit; under one that changes, fewer frames end further off.',
     withoutFriction:
-      'Steps along parabolas, as a block moves under a constant force: there every frame rate agrees with the exact block, to the last digit.',
+      'Steps along parabolas, as a block moves under a constant force. Under one, every frame rate agrees with the exact block to the last digit; under one that changes, the fewer frames, the further off.',
     method: {
       timestep: { kind: 'variable' },
       integrator: 'velocity-verlet',
@@ -93,7 +93,8 @@ export function aboutOf(
   return muStatic > 0 || muKinetic > 0 ? about : (withoutFriction ?? about)
 }
 
-function sameMethod(a: Method, b: Method): boolean {
+/** Whether two blocks are moved the same way, whatever their frames. */
+export function sameMethod(a: Method, b: Method): boolean {
   return (
     a.integrator === b.integrator &&
     a.stopping === b.stopping &&

@@ -99,7 +99,7 @@ export const corrections: readonly Correction[] = [
   {
     makes: 'unitSlipDirection',
     printed: 'v̂ = v − (n̂·v) n̂, which is not of length one',
-    happens: 'Friction grows with the speed: it is a drag, and the block never quite stops.',
+    happens: 'Friction grows with the speed: it is a drag, and never quite stops the block.',
     corrected: 'Divide by its length; where that is 0, v̂ = 0.',
   },
   {

@@ -1,15 +1,13 @@
 import type { ExactMotion, Trajectory } from '../physics/index.ts'
 import { clamp } from './geometry.ts'
 import type { Picture } from './picture.ts'
+import { samplesOf } from './samples.ts'
 
 /** A stretch of the track [m]. */
 export interface Extent {
   readonly from: number
   readonly to: number
 }
-
-/** Samples of the true motion: enough to see every swing's end to a pixel or so. */
-const SAMPLES = 240
 
 /**
  * The stretch of track that a picture must show: the start, the true motion, and the runners as far as they stay
@@ -47,38 +45,30 @@ const runs = new WeakMap<Trajectory, Extent>()
 
 function runExtent(trajectory: Trajectory): Extent {
   let extent = runs.get(trajectory)
-  if (!extent) {
-    let from = Infinity
-    let to = -Infinity
-    for (const s of trajectory.drawnS) {
-      if (s < from) from = s
-      if (s > to) to = s
-    }
-    runs.set(trajectory, (extent = { from, to }))
-  }
+  if (!extent) runs.set(trajectory, (extent = rangeOf(trajectory.drawnS)))
   return extent
 }
 
 /** Where the true motion goes in so long a time, and where it is then [m]. */
 interface Truth extends Extent {
-  readonly duration: number
   readonly last: number
 }
 
-const truths = new WeakMap<ExactMotion, Truth>()
+const truths = new WeakMap<Float64Array, Truth>()
 
 export function exactExtent(exact: ExactMotion, duration: number): Truth {
-  const known = truths.get(exact)
-  if (known?.duration === duration) return known
-  const state = { s: 0, v: 0 }
+  const { s } = samplesOf(exact, duration)
+  let truth = truths.get(s)
+  if (!truth) truths.set(s, (truth = { ...rangeOf(s), last: s.at(-1)! }))
+  return truth
+}
+
+function rangeOf(values: Float64Array): Extent {
   let from = Infinity
   let to = -Infinity
-  for (let i = 0; i <= SAMPLES; i++) {
-    const { s } = exact((duration * i) / SAMPLES, state)
+  for (const s of values) {
     if (s < from) from = s
     if (s > to) to = s
   }
-  const extent = { from, to, duration, last: state.s }
-  truths.set(exact, extent)
-  return extent
+  return { from, to }
 }

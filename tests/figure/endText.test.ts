@@ -10,6 +10,18 @@ const kick = { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5, gravity: 9.8
 test.each([
   ['0.69 s · 1.72 m', { scene: 'ramp', parameters: kick, duration: 1 }],
   ['moving', { scene: 'ramp', parameters: kick, duration: 0.5 }],
+  // The last frame of all ends with a speed of 0, and whether it stays is for the next.
+  [
+    'at a stop',
+    {
+      scene: 'ramp',
+      parameters: kick,
+      frames: { kind: 'steady', fps: 10 },
+      integrator: 'semi-implicit-euler',
+      stopping: 'clamped',
+      duration: 0.7,
+    },
+  ],
   // On the wall's clock: at 6 frames a second of 1/60 s each, all takes ten times as long.
   [
     '7.00 s · 1.68 m',

@@ -18,7 +18,7 @@ import { springLimit } from '../../src/figure/figures/springLimit.ts'
 import { threeStops } from '../../src/figure/figures/threeStops.ts'
 import { whereDoesItStop } from '../../src/figure/figures/whereDoesItStop.ts'
 import { yourFrames } from '../../src/figure/figures/yourFrames.ts'
-import { spreadOf } from '../../src/measure/index.ts'
+import { mechanicalEnergy, spreadOf } from '../../src/measure/index.ts'
 import { allCorrected, asPrinted, exact, simulate } from '../../src/physics/index.ts'
 
 /** A figure's runs, and what it says of them, after some values were set. */
@@ -39,6 +39,8 @@ test('falling-ball: without delta time the clock runs fps / 60 times as fast', (
   }
   expect(set(fallingBall, { fps: 15 }).says).toContain('4 times too slow')
   expect(set(fallingBall, { fps: 120 }).says).toContain('2 times too fast')
+  expect(set(fallingBall, { fps: 59 }).says).toContain('1.69\u2009% too slow')
+  expect(set(fallingBall, { fps: 61 }).says).toContain('1.67\u2009% too fast')
   expect(last(set(fallingBall, { fps: 15, method: 'variable' }).runs[0]!.stateTime)).toBe(1)
 })
 
@@ -176,8 +178,20 @@ test('your-frames: whatever the frames, located Verlet draws the exact block', (
 test('half-pipe-energy: explicit Euler gains until it is out, the others stay within bounds', () => {
   const { says } = set(halfPipeEnergy, { integrator: 'explicit-euler' })
   expect(says).toContain('thrown out')
-  for (const integrator of ['semi-implicit-euler', 'velocity-verlet', 'rk4'])
-    expect(set(halfPipeEnergy, { integrator }).says).toMatch(/between .* and \+/)
+  for (const integrator of ['semi-implicit-euler', 'velocity-verlet'])
+    expect(set(halfPipeEnergy, { integrator }).says).toMatch(
+      /strays by .* to \+?[\d.]+\u2009%, swing/,
+    )
+  const euler = set(halfPipeEnergy, { integrator: 'explicit-euler', fps: 60 })
+  const [soon, late] = [60, 600].map((row) => {
+    const energies = mechanicalEnergy(euler.runs[0]!)
+    return 100 * (energies[row]! / energies[0]! - 1)
+  })
+  expect(late).toBeGreaterThan(10 * soon!)
+  expect(euler.says).toContain(
+    `+${soon!.toFixed(1)}\u2009% after one second, and by +${late!.toFixed(0)}\u2009% after 10`,
+  )
+  expect(set(halfPipeEnergy, { integrator: 'rk4' }).says).toMatch(/and by −[\d.]+\u2009% after 10/)
 })
 
 test('spring-limit: Verlet holds below 2 and not above, RK4 up to 2√2, the implicit rule always', () => {
@@ -190,6 +204,9 @@ test('spring-limit: Verlet holds below 2 and not above, RK4 up to 2√2, the imp
   expect(farthest('rk4', 3)).toBeGreaterThan(2)
   expect(farthest('implicit-midpoint', 3)).toBeLessThan(1.01)
   expect(farthest('explicit-euler', 0.5)).toBeGreaterThan(2)
+  const atLimit = (integrator: string) => set(springLimit, { integrator, omegaDt: 2 }).says
+  expect(atLimit('velocity-verlet')).toMatch(/at its very limit; .* got no further than 1\u2009m/)
+  expect(atLimit('semi-implicit-euler')).toMatch(/at its very limit; .* has grown to \d\d/)
 })
 
 test('flung-out: at every frame rate that the slider has, the later the more frames', () => {

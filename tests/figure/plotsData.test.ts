@@ -70,6 +70,38 @@ describe('what is plotted is what was simulated, number for number', () => {
   })
 })
 
+test('a stop in the first thousandth of a long run is drawn as the parabola that it is', () => {
+  const lab = simulated({ kind: 'duration', duration: 600 })
+  const { x, y, time } = curve(drawingOf(kind('phase'), lab, 700, 200), EXACT)
+  expect(y.filter((speed) => speed < -1 && speed > -4).length).toBeGreaterThan(3)
+  for (let i = 0; i < x.length; i++) {
+    const { s, v } = lab.exact(time[i]!, { s: 0, v: 0 })
+    expect([x[i], y[i]]).toEqual([s, v])
+  }
+})
+
+test('swings that cannot be followed are a band over time, and no tangle over position', () => {
+  const lab = simulated(
+    { kind: 'scene', scene: 'spring' },
+    { kind: 'parameters', values: { muKinetic: 0, muStatic: 0, stiffness: 14_400 } },
+    { kind: 'duration', duration: 590 },
+  )
+  const overTime = curve(drawingOf(kind('position'), lab, 700, 200), EXACT)
+  const [low, high] = [Math.min(...overTime.y), Math.max(...overTime.y)]
+  // In every tenth of it both ends of the swing come within a hundredth.
+  for (let tenth = 0; tenth < 10; tenth++) {
+    const part = overTime.y.filter((_, i) => Math.floor(overTime.time[i]! / 59) === tenth)
+    expect(Math.max(...part)).toBeGreaterThan(high - (high - low) / 100)
+    expect(Math.min(...part)).toBeLessThan(low + (high - low) / 100)
+  }
+  const overPosition = curve(drawingOf(kind('phase'), lab, 700, 200), EXACT)
+  expect(overPosition.time.at(-1)).toBeLessThan(590)
+  // From point to point it goes along its oval, which is as long as some three times its width.
+  const { x } = overPosition
+  for (let i = 1; i < x.length; i++)
+    expect(Math.abs(x[i]! - x[i - 1]!)).toBeLessThan((high - low) / 8)
+})
+
 test('hidden runners are not plotted', () => {
   const lab = simulated({ kind: 'runner', index: 1, values: { hidden: true } })
   const looks = drawingOf(kind('position'), lab, WIDE, 200).curves.map(({ look }) => look)

@@ -51,8 +51,10 @@ describe('frame times', () => {
     expect(bins[33]).toEqual({ from: 0.033, to: 0.034, count: 3 })
     // On an edge: the bin that begins there.
     expect(binsOf([0.016], 0.016)[16]!.count).toBe(1)
-    // Far beyond: the last one.
-    expect(binsOf([0.016, 5], 0.016)).toHaveLength(40)
+    // Far beyond: the last one, which says so.
+    const withLong = binsOf([0.016, 5], 0.016)
+    expect(withLong).toHaveLength(40)
+    expect(withLong.at(-1)).toEqual({ from: 0.039, to: Infinity, count: 1 })
   })
 })
 

@@ -94,7 +94,11 @@ export const areaUnderV = figure({
     const { truth, predicted, measured } = gapsOf(run!, method)
     return [
       { label: 'True area', text: metresText(truth), raw: truth },
-      { label: 'Predicted, ½ a T Δt', text: signed(predicted), raw: predicted },
+      {
+        label: `Predicted${predicted === 0 ? '' : ', ½ a T Δt'}`,
+        text: signed(predicted),
+        raw: predicted,
+      },
       { label: 'Measured gap', text: signed(measured), raw: measured, colour: '--wrong' },
     ]
   },

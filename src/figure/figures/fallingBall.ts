@@ -1,7 +1,7 @@
 import { exactMotion } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../../view/graph.ts'
-import { place, seconds } from '../../view/numbers.ts'
+import { place, plain, seconds } from '../../view/numbers.ts'
 import { write } from '../../view/text.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { figure } from './figure.ts'
@@ -66,14 +66,13 @@ export const fallingBall = figure({
     const rate = fps * STEP
     if (Math.abs(rate - 1) < 0.005)
       return `${so} At 60 fps, and at no other, the game runs as it was made.`
-    return rate < 1
-      ? `${so} Its clock runs ${factor(1 / rate)} times too slow.`
-      : `${so} Its clock runs ${factor(rate)} times too fast.`
+    return `${so} Its clock runs ${rate < 1 ? `${times(1 / rate)} too slow` : `${times(rate)} too fast`}.`
   },
 })
 
-function factor(value: number): string {
-  return String(Number(value.toPrecision(2)))
+/** “2.5 times”, or “8.3 %” where it is little more than once. */
+function times(rate: number): string {
+  return rate < 1.1 ? `${plain(100 * (rate - 1))}\u2009%` : `${Number(rate.toPrecision(2))} times`
 }
 
 function draw(surface: Surface, { values, runs, time }: View<FallValues>): void {

@@ -79,6 +79,7 @@ export const forcesOnSlope = figure({
       rubbing === 'none'
         ? 'There is no friction.'
         : `Friction is μ N = ${fixed(mu, 2)} × ${newtons(length(normal))}, against the motion.`
+    if (a < 0.005) return `${how} The sum is 0: it keeps its speed.`
     const faster = dot(sum, along) * (run!.v[0]! || 1) >= 0
     return `${how} The sum makes it ${faster ? 'faster' : 'slower'} by ${fixed(a, 2)} m/s every second, along the slope; across it nothing is left.`
   },

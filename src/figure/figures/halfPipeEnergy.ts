@@ -2,8 +2,9 @@ import { mechanicalEnergy } from '../../measure/index.ts'
 import { integrators } from '../../physics/index.ts'
 import type { Experiment, IntegratorId, Trajectory } from '../../physics/index.ts'
 import { clipTo, drawAxes, drawCurve, graphIn, line } from '../../view/graph.ts'
-import { fixed, seconds } from '../../view/numbers.ts'
+import { plain, seconds } from '../../view/numbers.ts'
 import { write } from '../../view/text.ts'
+import { rowAt } from '../../view/timeline.ts'
 import { figure } from './figure.ts'
 import type { Surface, View } from './figure.ts'
 import { drawRuns } from './scenePanel.ts'
@@ -80,17 +81,22 @@ export const halfPipeEnergy = figure({
   says: ({ integrator, fps }, runs) => {
     const run = runs[shown.indexOf(integrator)]!
     const { outcome } = run
-    const name = integrators.find(({ id }) => id === integrator)!.label
+    const { label: name, symplectic } = integrators.find(({ id }) => id === integrator)!
     const energies = energiesOf(run)
     const before = energies[0]!
     if (outcome.kind === 'left-the-track')
       return `${name} at ${fps} fps gives the block energy out of nothing at every step: after ${seconds(outcome.time)} it is thrown out of the pipe.`
-    const most = Math.max(...energies) / before - 1
-    const least = Math.min(...energies) / before - 1
-    const percent = (part: number) => `${fixed(100 * part, Math.abs(part) < 0.001 ? 4 : 1)} %`
-    return `${name} at ${fps} fps: between ${percent(least)} and +${percent(most)} of what there was, after ${DURATION} s as after one.`
+    if (symplectic)
+      return `${name} at ${fps} fps: the energy strays by ${percent(Math.min(...energies) / before - 1)} to ${percent(Math.max(...energies) / before - 1)}, swing after swing.`
+    const change = (time: number) => percent(energies[rowAt(run, time)]! / before - 1)
+    return `${name} at ${fps} fps: the energy is off by ${change(1)} after one second, and by ${change(DURATION)} after ${DURATION}.`
   },
 })
+
+/** “+84 %”, “−1.3 × 10⁻⁶ %”. */
+function percent(part: number): string {
+  return `${part > 0 ? '+' : ''}${plain(Number((100 * part).toPrecision(2)))}\u2009%`
+}
 
 function drawEnergy(surface: Surface, { values, runs, time }: View<EnergyValues>): void {
   const { context, width, height, palette } = surface

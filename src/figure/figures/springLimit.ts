@@ -66,8 +66,11 @@ export const springLimit = figure({
         ? `${label} has no limit to keep to: it always grows`
         : stability === Infinity
           ? `${label} has no limit`
-          : `${label} is good for ωΔt below ${fixed(stability, 2)}`
-    const bounded = omegaDt < stability
+          : omegaDt === stability
+            ? `${label} is at its very limit`
+            : `${label} is good for ωΔt below ${fixed(stability, 2)}`
+    // At the limit itself one method grows, and another stays at what is written as 1 m.
+    const bounded = omegaDt < stability || far < 1.005
     return `${limit}; this is ${fixed(omegaDt, 2)}. In ${count(run!.frames)} steps a swing of 1 m ${bounded ? 'got no further than' : 'has grown to'} ${metres(far)}.`
   },
 })

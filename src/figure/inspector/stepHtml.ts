@@ -64,7 +64,7 @@ function triesHtml(tries: readonly TriedStep[]) {
     <ol class="tries">
       ${tries.map(
         ({ dt, to }) =>
-          html`<li>${saidHtml(say`Δt = ${dt} s → s = ${to.s} m, v = ${to.v} m/s`)}</li>`,
+          html`<li>${saidHtml(say`Δt = ${dt} s → s = ${to.s} m, v = `)}${worth(to.v, 'm/s')}</li>`,
       )}
     </ol>`
 }
@@ -78,7 +78,7 @@ function looks({ evaluations, reused, slip }: TriedStep, experiment: ResolvedExp
     : ''
   const first = reused === undefined ? 1 : 2
   const legend = rubs
-    ? 'drive: gravity and spring along the track. press: what presses the block to it. Both for each kilogram.'
+    ? `drive: gravity${experiment.scene === 'spring' ? ' and spring' : ''} along the track. press: what presses the block to it. Both for each kilogram.`
     : 'drive: all that acts along the track, for each kilogram.'
   return html`<h3>Looks at the forces${direction}</h3>
     <p class="legend">${legend}</p>

@@ -35,6 +35,8 @@ export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, look: Cha
     pen.strokeStyle = colour
     pen.lineWidth = isSelected ? 2.25 : 1.4
     if (isExact) pen.setLineDash([5, 4])
+    // So many swings that they make an area: what is below is to be seen.
+    if (isExact && spots.length > width) pen.globalAlpha = 0.35
     const stepped = drawing.stepped && !isExact
     pen.stroke(lineThrough(spots, stepped))
     pen.restore()

@@ -1,8 +1,10 @@
+import { samplesOf } from '../../view/samples.ts'
+import type { Samples } from '../../view/samples.ts'
 import type { Simulated } from '../simulation.ts'
 import { axisOf, timeAxis } from './range.ts'
 import type { Axis } from './axis.ts'
 import type { PlotKind } from './kinds.ts'
-import { samplesOf } from './samples.ts'
+import type { Quantity } from './quantity.ts'
 import { thinColumns, thinPath } from './thin.ts'
 
 /** The place in the list of curves that is the true motion's: after those of the eight looks. */
@@ -42,13 +44,15 @@ export function drawingOf(
   const across = over ? axisOf(over, simulated) : timeAxis(simulated)
   const up = axisOf(of, simulated)
   const column = (across.to - across.from) / width
+  const row = (up.to - up.from) / height
+  const thinned: Thinned = over
+    ? (x, y) => thinPath(x, y, column, row)
+    : (x, y) => thinColumns(x, y, column)
   const curves: Curve[] = visible.map((runner) => {
     const { trajectory } = runner
     const x = over ? over.values(trajectory) : trajectory.time
     const y = of.values(trajectory)
-    const rows = over
-      ? thinPath(x, y, column, (up.to - up.from) / height)
-      : thinColumns(x, y, column)
+    const rows = thinned(x, y)
     return {
       look: runner.state.look,
       index: runners.indexOf(runner),
@@ -57,16 +61,21 @@ export function drawingOf(
       time: rows.map((row) => trajectory.time[row]!),
     }
   })
-  const { ofExact } = of
-  if (ofExact) {
-    const { time, states } = samplesOf(exact, state.duration)
-    curves.push({
-      look: EXACT,
-      index: -1,
-      x: over ? states.map((each) => over.ofExact!(each)) : [...time],
-      y: states.map((each) => ofExact(each)),
-      time: [...time],
-    })
-  }
+  if (of.ofExact) curves.push(trueCurve(kind, samplesOf(exact, state.duration), thinned))
   return { across, up, curves, stepped: !over }
+}
+
+/** The rows of a curve that its plot can show. */
+type Thinned = (x: Float64Array, y: Float64Array) => number[]
+
+/** The true motion. What was not followed swing by swing shows how far it goes, over time, and nothing else. */
+function trueCurve({ over, of }: PlotKind, samples: Samples, thinned: Thinned): Curve {
+  const time = over ? samples.time.subarray(0, samples.followed + 1) : samples.time
+  const values = ({ ofExact }: Quantity) =>
+    time.map((_, row) => ofExact!({ s: samples.s[row]!, v: samples.v[row]! }))
+  const x = over ? values(over) : time
+  const y = values(of)
+  const rows = thinned(x, y)
+  const picked = (from: Float64Array) => rows.map((row) => from[row]!)
+  return { look: EXACT, index: -1, x: picked(x), y: picked(y), time: picked(time) }
 }

@@ -1,9 +1,9 @@
+import { samplesOf } from '../../view/samples.ts'
 import type { Simulated } from '../simulation.ts'
 import { errorAxis, linearAxis } from './axis.ts'
 import type { Axis } from './axis.ts'
 import { ROUNDING } from './quantity.ts'
 import type { Quantity } from './quantity.ts'
-import { samplesOf } from './samples.ts'
 
 /** Errors above this are no longer a matter of more or less [m]. */
 const LARGEST = 1e6
@@ -26,8 +26,9 @@ function linear(quantity: Quantity, simulated: Simulated): Axis {
   const { exact, visible, state } = simulated
   let from = Infinity
   let to = -Infinity
-  for (const each of samplesOf(exact, state.duration).states) {
-    const value = quantity.ofExact!(each)
+  const { s, v } = samplesOf(exact, state.duration)
+  for (let row = 0; row < s.length; row++) {
+    const value = quantity.ofExact!({ s: s[row]!, v: v[row]! })
     from = Math.min(from, value)
     to = Math.max(to, value)
   }
@@ -45,8 +46,10 @@ function linear(quantity: Quantity, simulated: Simulated): Axis {
 
 /** The largest kinetic energy of the true motion [J]. */
 function liveliest({ exact, state }: Simulated): number {
-  const { states } = samplesOf(exact, state.duration)
-  const fastest = Math.max(...states.map(({ v }) => Math.abs(v)))
+  const fastest = samplesOf(exact, state.duration).v.reduce(
+    (most, v) => Math.max(most, Math.abs(v)),
+    0,
+  )
   return 0.5 * state.parameters.mass! * fastest * fastest
 }
 

@@ -9,7 +9,8 @@ export function histogram(bins: readonly Bin[], label: string) {
   const most = Math.max(...bins.map(({ count }) => count))
   const milliseconds = (seconds: number) => plain(seconds * 1000)
   const filled = bins.filter(({ count }) => count > 0)
-  const end = bins[bins.length - 1]!.to
+  const { from, to } = bins[bins.length - 1]!
+  const end = Number.isFinite(to) ? `${milliseconds(to)} ms` : `${milliseconds(from)} ms and more`
   return html`<figure class="histogram">
     <svg
       viewBox="0 0 ${bins.length} ${HEIGHT}"
@@ -22,9 +23,7 @@ export function histogram(bins: readonly Bin[], label: string) {
         return svg`<rect x=${i + 0.06} width="0.88" y=${HEIGHT - height} height=${height} />`
       })}
     </svg>
-    <figcaption>
-      <span>0 ms</span><span>frame time</span><span>${milliseconds(end)} ms</span>
-    </figcaption>
+    <figcaption><span>0 ms</span><span>frame time</span><span>${end}</span></figcaption>
     <details>
       <summary>As a table</summary>
       <table>
@@ -38,7 +37,9 @@ export function histogram(bins: readonly Bin[], label: string) {
           ${filled.map(
             ({ from, to, count }) =>
               html`<tr>
-                <td>${milliseconds(from)}–${milliseconds(to)}</td>
+                <td>
+                  ${milliseconds(from)}${Number.isFinite(to) ? `–${milliseconds(to)}` : ' and more'}
+                </td>
                 <td>${count}</td>
               </tr>`,
           )}

@@ -69,6 +69,11 @@ export const paper = {
   paperAside: { value: () => depth('normalIsVector'), show: metres },
   paperFriction2: { value: () => frictionAt(2), show: plain },
   paperFriction05: { value: () => frictionAt(0.5), show: plain },
+  // As it is after ten seconds: it comes nearer to it by μ g cos 20° = 4.6 e-folds a second.
+  paperSteady: {
+    value: () => length(run({ ...figure, frames: 300 }, 'unitSlipDirection').at(-1)!.v),
+    show: speed,
+  },
   paperSunk: { value: () => depth('normalInSum'), show: metres },
   paperTremble: {
     value: () =>

@@ -1,4 +1,4 @@
-import { frameRateSpread } from '../../measure/index.ts'
+import { frameRateSpread, spreadOf } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import { count, metres, place } from '../../view/numbers.ts'
 import { at, end, kick, paperStep, takeHome } from './experiments.ts'
@@ -24,6 +24,10 @@ export const stopping = {
   clamped10: { value: () => clamped(10), show: place },
   clamped30: { value: () => clamped(30), show: place },
   clamped120: { value: () => clamped(120), show: place },
+  clampedThreeSpread: {
+    value: () => spreadOf([10, 30, 120].map(clamped)),
+    show: metres,
+  },
   clampedVerletSpread: {
     value: () => frameRateSpread({ ...kick, ...takeHome, stopping: 'clamped' }),
     show: metres,
