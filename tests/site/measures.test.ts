@@ -16,6 +16,7 @@ import {
   valueAt,
 } from '../../src/measure/index.ts'
 import type { MapRequest } from '../../src/measure/index.ts'
+import { roughSize } from '../../src/figure/measures/scale.ts'
 import { opening } from '../../src/figure/opening.ts'
 import { simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
@@ -44,6 +45,26 @@ const countWorkers = () => {
       super(url, options)
       workers.push(this)
       this.addEventListener('message', () => (window as unknown as { heard: number }).heard++)
+    }
+  }
+}
+
+/** Nothing that is asked of a worker reaches it before it is let go. */
+const holdWorkers = () => {
+  const waiting: (() => void)[] = []
+  let held = true
+  const letGo = () => {
+    held = false
+    for (const send of waiting.splice(0)) send()
+  }
+  const hold = () => void (held = true)
+  Object.assign(window, { letGo, hold })
+  const Original = Worker
+  window.Worker = class extends Original {
+    override postMessage(message: unknown) {
+      const send = () => super.postMessage(message)
+      if (held) waiting.push(send)
+      else send()
     }
   }
 }
@@ -136,7 +157,9 @@ describe('speed against error', () => {
     await lab.page.locator('speed-diagram summary').click()
     await lab.page.locator('speed-diagram table').waitFor()
     const cells = lab.page.locator('speed-diagram td')
-    expect(await cells.count()).toBe(sweepMethods.length * sweepRates.length)
+    expect(await cells.count()).toBe(
+      sweepMethods.length * (sweepRates.length + opening.runners.length),
+    )
     expect(await cells.nth(0).innerText()).toMatch(/^0\.\d\d\u2009m\s+\d+$/)
     expect(await cells.nth(2).innerText()).toMatch(/^0 \(to rounding\)\s+7$/)
     expect(lab.problems).toEqual([])
@@ -282,6 +305,198 @@ describe('speed against error', () => {
   })
 })
 
+describe('the runners of the lab in the diagram', () => {
+  const rings = (page: Page) =>
+    page.locator('speed-diagram .ring').evaluateAll((all) =>
+      all.map((each) => {
+        const circle = each.querySelector('circle:not(.halo)')!
+        return {
+          x: Number(circle.getAttribute('cx')),
+          y: Number(circle.getAttribute('cy')),
+          colour: getComputedStyle(circle).stroke,
+          isDashed: getComputedStyle(circle).strokeDasharray !== 'none',
+        }
+      }),
+    )
+  const ringKey = (page: Page) =>
+    page
+      .locator('speed-diagram .ring-key')
+      .innerText()
+      .then((text) => text.replace(/\s+/g, ' '))
+
+  test('have a ring each, in words and in the table too, and follow the lab', async () => {
+    const lab = await openMeasures()
+    await lab.ready()
+    const sizes = opening.runners.map(({ frames, timestep, integrator, stopping }) => {
+      const method = { frames, timestep, integrator, stopping }
+      return roughSize(presentationErrors(simulate({ ...shared, ...method } as Experiment)).largest)
+    })
+    await expect.poll(() => rings(lab.page)).toHaveLength(3)
+    // They clamp, the curves locate.
+    expect((await rings(lab.page)).every(({ isDashed }) => isDashed)).toBe(true)
+    expect(new Set((await rings(lab.page)).map(({ colour }) => colour)).size).toBe(3)
+    const words = await ringKey(lab.page)
+    for (const [i, fps] of [10, 30, 120].entries())
+      expect(words).toContain(`${fps} fps ${sizes[i]!.replace(/\s/g, ' ')}`)
+    expect(words).toContain('Dashed')
+    await lab.page.locator('speed-diagram summary').click()
+    const row = lab.page.locator('speed-diagram tbody tr').nth(sweepRates.length)
+    expect(await row.locator('th').innerText()).toMatch(/^10 fps\s+in the lab$/)
+    expect(await row.locator('td').nth(1).innerText()).toContain(sizes[0]!)
+    expect(await row.locator('td').nth(0).innerText()).toBe('')
+
+    // The curves clamp too: each ring is around a point of its method's curve.
+    await lab.page
+      .getByRole('combobox', { name: 'Stopping rule of the diagram' })
+      .selectOption('clamped')
+    await expect
+      .poll(async () => (await rings(lab.page)).map(({ isDashed }) => isDashed))
+      .toEqual([false, false, false])
+    await lab.ready()
+    const marks = await lab.page
+      .locator('speed-diagram [data-method=semi-implicit-euler] .mark')
+      .evaluateAll((all) =>
+        all.map((mark) => {
+          const { e: x, f: y } = (mark as SVGGraphicsElement).transform.baseVal.getItem(0).matrix
+          return { x, y }
+        }),
+      )
+    for (const [i, rate] of [10, 30, 120].entries())
+      await expect
+        .poll(async () => {
+          const { x, y } = (await rings(lab.page))[i]!
+          const mark = marks[sweepRates.indexOf(rate)]!
+          return Math.max(Math.abs(x - mark.x), Math.abs(y - mark.y))
+        })
+        // Drawn to a hundredth of a pixel.
+        .toBeLessThan(0.02)
+
+    await lab.page.getByRole('button', { name: 'Hide 10 fps' }).click()
+    await expect.poll(() => rings(lab.page)).toHaveLength(2)
+    expect(await ringKey(lab.page)).not.toContain('10 fps')
+    expect(lab.problems).toEqual([])
+  })
+
+  test('are read by keys, and are in the lab already', async () => {
+    const lab = await openMeasures()
+    await lab.ready()
+    await lab.area.focus()
+    await press(lab.page, 'ArrowRight', 'ArrowUp', 'Home', 'ArrowRight')
+    expect(await lab.readOut()).toMatch(/^30 fps in the lab, Semi-implicit Euler: never off by /)
+    expect(await lab.page.locator('speed-diagram output').textContent()).toMatch(
+      /^30 fps in the lab, Semi-implicit Euler: never off by .* evaluations a second\.$/,
+    )
+    await press(lab.page, 'Enter')
+    expect(await lab.state()).toEqual(opening)
+    expect(lab.problems).toEqual([])
+  })
+
+  test('have none where they are not measured as the curves are, and it is said why', async () => {
+    const address =
+      'runners=10;30;jitter(fps:30,amount:0.5,seed:1)/rk4;60/per-frame(step:1/50);60/clamped'
+    const lab = await openMeasures(address)
+    await lab.ready()
+    await expect.poll(() => rings(lab.page)).toHaveLength(3)
+    const words = await ringKey(lab.page)
+    expect(words).toContain('no ring: its steps differ in length')
+    expect(words).toContain('no ring: its seconds are not real seconds')
+    await lab.view('Time on this device')
+    await expect.poll(() => rings(lab.page), { timeout: 20_000 }).toHaveLength(2)
+    expect(await ringKey(lab.page)).toContain('no ring: its time is not taken')
+    expect(lab.problems).toEqual([])
+  })
+})
+
+describe.each([
+  [1440, false],
+  [768, false],
+  [768, true],
+  [390, true],
+  [390, false],
+] as const)('at %i px (touch: %s) measuring moves nothing', (width, hasTouch) => {
+  // One line of advice; as many as there can be, and what leaves the track; a map with theory's line.
+  test.each(['scene=ramp', 'scene=half-pipe&runners=10;30;120', 'scene=spring'])(
+    'below %s',
+    async (address) => {
+      const lab = await openMeasures(address, { width, hasTouch, prepare: holdWorkers })
+      const { page } = lab
+      const views = ['Speed against error', 'Frame-rate map', 'Frame-rate spread']
+      for (const view of address.includes('half-pipe')
+        ? [...views, 'Time on this device']
+        : views) {
+        await page.evaluate(() => (window as unknown as { hold: () => void }).hold())
+        if (view === 'Time on this device') await lab.view(views[0]!)
+        if (view !== views[0]) await lab.view(view)
+        await page.getByRole('progressbar', { name: 'Measuring' }).waitFor()
+        const before = await page.evaluate(() => {
+          const places = new Set<number>()
+          Object.assign(window, { places })
+          const measures = document.querySelector('lab-measures')!
+          const look = () => {
+            const { top } = measures.nextElementSibling!.getBoundingClientRect()
+            places.add(Math.round(10 * (top + scrollY)) / 10)
+          }
+          new ResizeObserver(look).observe(measures.firstElementChild!)
+          look()
+          return [...places]
+        })
+        await page.evaluate(() => (window as unknown as { letGo: () => void }).letGo())
+        // Errors are measured before times are.
+        if (view === 'Time on this device')
+          await expect
+            .poll(() => page.locator('speed-diagram .curve').count(), { timeout: 20_000 })
+            .toBe(sweepMethods.length)
+        await lab.ready()
+        await page.locator('lab-measures .measure:not([data-busy])').waitFor()
+        const after = await page.evaluate(() => [
+          ...(window as unknown as { places: Set<number> }).places,
+        ])
+        expect(after, view).toEqual(before)
+      }
+      expect(lab.problems).toEqual([])
+    },
+  )
+})
+
+test.each([1440, 390])('at %i px the text’s own diagram keeps its height too', async (width) => {
+  const { page, problems } = await openLab('', { width, hasTouch: width < 800 })
+  await page.evaluate(holdWorkers)
+  const figure = page.locator('slide-figure[name="speed-against-error"]')
+  const bar = figure.getByRole('progressbar', { name: 'Measuring' })
+  // What comes alive above it on the way may push it out of sight.
+  await expect
+    .poll(async () => {
+      await figure.evaluate((each) => each.scrollIntoView())
+      return bar.count()
+    })
+    .toBe(1)
+  const before = await figure.evaluate((each) => {
+    const heights = new Set<number>()
+    Object.assign(window, { heights })
+    const look = () => heights.add((each as HTMLElement).offsetHeight)
+    new ResizeObserver(look).observe(each)
+    look()
+    return [...heights]
+  })
+  await page.evaluate(() => (window as unknown as { letGo: () => void }).letGo())
+  await expect
+    .poll(
+      async () => {
+        await figure.evaluate((each) => each.scrollIntoView())
+        return figure.locator('.curve').count()
+      },
+      { timeout: 20_000 },
+    )
+    .toBe(sweepMethods.length)
+  await expect.poll(() => bar.count()).toBe(0)
+  expect(await figure.locator('.advice li').count()).toBeGreaterThan(3)
+  const after = await page.evaluate(() => [
+    ...(window as unknown as { heights: Set<number> }).heights,
+  ])
+  expect(after).toEqual(before)
+  expect(problems).toEqual([])
+})
+
 describe('the frame-rate map', () => {
   test('is single runs of simulate; a click loads the one under it', async () => {
     const lab = await openMeasures()
@@ -360,6 +575,14 @@ describe('the frame-rate map', () => {
     await expect
       .poll(lab.readOut, { timeout: 20_000 })
       .toBe('Of all runs, 100\u202f% is exact to rounding.')
+    // Its colour is the one that the legend says.
+    const [painted, told] = await lab.page.evaluate(() => {
+      const canvas = document.querySelector<HTMLCanvasElement>('rate-map canvas')!
+      const [r, g, b] = canvas.getContext('2d')!.getImageData(80, 60, 1, 1).data
+      const swatch = document.querySelector('rate-map .swatch[data-kind=rounding]')!
+      return [`rgb(${r}, ${g}, ${b})`, getComputedStyle(swatch).backgroundColor]
+    })
+    expect(painted).toBe(told)
     await lab.view('Spread against 60 fps')
     await expect
       .poll(lab.readOut, { timeout: 20_000 })

@@ -37,7 +37,7 @@ export const speedAgainstError = figure({
   hosted: {
     tag: 'speed-diagram',
     define: () => import('../measures/speedDiagramElement.ts'),
-    room: { wide: 14, narrow: 52 },
+    room: { wide: 16, narrow: 54 },
     properties: { experiment: { scene: 'half-pipe', duration: DURATION } satisfies Experiment },
   },
   panels: [{ shape: { wide: 0.56, narrow: 0.9 }, draw }],

@@ -17,7 +17,7 @@ export function diagramDrawing(layout: DiagramLayout, kind: CostKind, chosen: Sp
     aria-hidden="true"
   >
     ${grid(layout, kind)} ${frontierLine(layout)}
-    ${layout.drawn.map((drawn) => curve(drawn, chosen))}
+    ${layout.drawn.map((drawn) => curve(drawn, chosen))} ${layout.rings.map(ring)}
     ${layout.named ? layout.drawn.map((drawn) => label(layout, drawn)) : nothing}
     ${chosen ? cross(layout, chosen) : nothing}
   </svg>`
@@ -64,6 +64,17 @@ function curve({ curve, spots }: Drawn, chosen: Spot | undefined) {
   return svg`<g class="curve" data-method=${method} .style="--look: var(--runner-${look})" ?data-chosen=${chosen?.point.method === method}>
     <path class="line" d=${path.join('')} />
     ${spots.map(({ x, y, point }) => (point.whole ? svgMark(look, x, y, 4.2) : svg`<path class="failure" d="M${round(x - 3.5)} ${round(y - 3.5)}l7 7m0-7l-7 7" />`))}
+  </g>`
+}
+
+/** A ring around a runner’s point. Its mark is at a place of its own, so that of several rings in one each can be told. */
+function ring({ x, y, point }: Spot) {
+  const { look, apart } = point.runner!
+  const turn = ((1 + look) * Math.PI) / 4
+  const [across, up] = [8 * Math.cos(turn), 8 * Math.sin(turn)]
+  return svg`<g class="ring" ?data-apart=${apart} .style="--look: var(--runner-${look})">
+    <circle class="halo" cx=${round(x)} cy=${round(y)} r="8" /><circle cx=${round(x)} cy=${round(y)} r="8" />
+    ${svgMark(look, x + across, y - up, 5)}
   </g>`
 }
 

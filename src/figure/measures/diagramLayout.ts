@@ -34,6 +34,8 @@ export interface DiagramLayout {
   /** Above this line lies what has no error, if anything has none. */
   readonly failed: number | undefined
   readonly drawn: readonly Drawn[]
+  /** The runners of the lab whose methods are drawn. */
+  readonly rings: readonly Spot[]
   readonly frontier: readonly Spot[]
   /** There is room for the curves' names beside them. */
   readonly named: boolean
@@ -45,21 +47,25 @@ const NAMES = 196
 const ROW = 15
 const LABEL = 17
 
-/** Lays the curves out in a picture of that size. */
+/** Lays the curves, and the runners of a lab among them, out in a picture of that size. */
 export function layOut(
   curves: readonly DiagramCurve[],
-  width: number,
-  height: number,
+  { width, height }: Pick<DiagramLayout, 'width' | 'height'>,
+  runners: readonly DiagramPoint[] = [],
 ): DiagramLayout {
   const named = width >= 680
   const left = LEFT
   const right = width - (named ? NAMES : 14)
-  const points = curves.flatMap((curve) => curve.points)
+  const swept = curves.flatMap((curve) => curve.points)
+  const ringed = curves.map(({ method }) => runners.filter((each) => each.method === method))
+  const points = [...swept, ...ringed.flat()]
   const whole = points.filter((point) => point.whole)
   const seen = whole.filter(({ error }) => error >= ROUNDING)
   const failing = points.some((point) => !point.whole)
   // A row for each method that comes down to rounding, so that none hides another.
-  const exact = curves.filter(({ points }) => points.some((p) => p.whole && p.error < ROUNDING))
+  const exact = curves.filter(({ points }, i) =>
+    [...points, ...ringed[i]!].some(({ whole, error }) => whole && error < ROUNDING),
+  )
   const top = failing ? 34 : 12
   const bottom = height - BOTTOM
   const floor = exact.length > 0 ? bottom - 10 - ROW * exact.length : bottom
@@ -80,9 +86,11 @@ export function layOut(
     const y = !whole ? top - 14 : error < ROUNDING ? row : up.at(error)
     return { point, x: across.at(Math.max(cost, across.from)), y }
   }
-  const spots = curves.map((curve) => curve.points.map((point) => place(curve, point)))
+  const placed = (rows: readonly (readonly DiagramPoint[])[]) =>
+    rows.map((points, i) => points.map((point) => place(curves[i]!, point)))
+  const spots = placed(curves.map(({ points }) => points))
   const all = spots.flat()
-  const best = frontier(whole.filter(({ cost }) => cost > 0))
+  const best = frontier(swept.filter(({ whole, cost }) => whole && cost > 0))
   const labels = spread(
     spots.map((each) => each.at(-1)?.y ?? top),
     top + 4,
@@ -93,23 +101,28 @@ export function layOut(
     rounding: exact.length > 0 ? floor : undefined,
     failed: failing ? top : undefined,
     drawn: curves.map((curve, i) => ({ curve, spots: spots[i]!, labelY: labels[i]! })),
+    rings: placed(ringed).flat(),
     frontier: best.map((point) => all.find((spot) => spot.point === point)!),
   }
 }
 
 /** The spot that is nearest to a place, if one is near. */
-export function nearestSpot({ drawn }: DiagramLayout, x: number, y: number): Spot | undefined {
+export function nearestSpot(layout: DiagramLayout, x: number, y: number): Spot | undefined {
   let nearest: Spot | undefined
   let least = 28
-  for (const { spots } of drawn)
-    for (const spot of spots) {
-      const distance = Math.sqrt((spot.x - x) ** 2 + (spot.y - y) ** 2)
-      if (distance < least) {
-        least = distance
-        nearest = spot
-      }
+  for (const spot of rowsOf(layout).flat()) {
+    const distance = Math.sqrt((spot.x - x) ** 2 + (spot.y - y) ** 2)
+    if (distance < least) {
+      least = distance
+      nearest = spot
     }
+  }
   return nearest
+}
+
+/** All spots as they are gone along: curve by curve, and then the runners of the lab. */
+export function rowsOf({ drawn, rings }: DiagramLayout): (readonly Spot[])[] {
+  return [...drawn.map(({ spots }) => spots), ...(rings.length > 0 ? [rings] : [])]
 }
 
 /** Moves labels apart to a line's height each, in their order, within bounds. */

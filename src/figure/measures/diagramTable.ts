@@ -1,10 +1,15 @@
 import { html } from 'lit'
-import { metres, plain, raw } from '../../view/numbers.ts'
+import { plain, raw } from '../../view/numbers.ts'
 import type { CostKind } from './costs.ts'
+import { errorText } from './diagramWords.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
 
-/** The diagram in figures: a row for each rate, the error and the cost of each method. */
-export function diagramTable(curves: readonly DiagramCurve[], kind: CostKind) {
+/** The diagram in figures: a row for each rate and each runner of the lab, the error and the cost of each method. */
+export function diagramTable(
+  curves: readonly DiagramCurve[],
+  runners: readonly DiagramPoint[],
+  kind: CostKind,
+) {
   const rates = curves[0]?.points.map(({ rate }) => rate) ?? []
   return html`<div
     class="scroll"
@@ -31,22 +36,20 @@ export function diagramTable(curves: readonly DiagramCurve[], kind: CostKind) {
               ${curves.map(({ points }) => cell(points[row]!, kind))}
             </tr>`,
         )}
+        ${runners.map(
+          (point) =>
+            html`<tr>
+              <th scope="row">${point.runner!.name}<small>in the lab</small></th>
+              ${curves.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
+            </tr>`,
+        )}
       </tbody>
     </table>
   </div>`
 }
 
-function cell({ error, cost, whole, outcome }: DiagramPoint, kind: CostKind) {
-  const text = whole ? metres(Number(error.toPrecision(2))) : failureText(outcome)
-  return html`<td title="${raw(error)} m for ${raw(cost)}">
-    ${text}<small>${kind.text(cost)}</small>
+function cell(point: DiagramPoint, kind: CostKind) {
+  return html`<td title="${raw(point.error)} m for ${raw(point.cost)}">
+    ${errorText(point)}<small>${kind.text(point.cost)}</small>
   </td>`
-}
-
-function failureText(outcome: DiagramPoint['outcome']): string {
-  return outcome === 'diverged'
-    ? 'blew up'
-    : outcome === 'left-the-track'
-      ? 'left the track'
-      : 'not known'
 }

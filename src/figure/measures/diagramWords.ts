@@ -1,8 +1,9 @@
 import { cheapest, ROUNDING } from '../../measure/index.ts'
-import { metres, plain } from '../../view/numbers.ts'
+import { integrators } from '../../physics/index.ts'
+import { plain } from '../../view/numbers.ts'
 import type { CostKind } from './costs.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
-import { metresText } from './scale.ts'
+import { metresText, roughSize } from './scale.ts'
 
 /** Errors that people ask for, as powers of ten of a metre, and the last: none but rounding. */
 const wanted = [-1, -2, -3, -6, -9]
@@ -35,9 +36,22 @@ export function leastError(curves: readonly DiagramCurve[]): number {
   return Math.min(...errors.map(({ error }) => error))
 }
 
-/** “at 30 steps a second”. */
-export function rateText(rate: number): string {
-  return `${plain(rate)} steps a second`
+/** Whose run a point is: “Velocity Verlet at 30 steps a second”, “30 fps in the lab”. */
+export function pointName({ method, rate, runner }: DiagramPoint): string {
+  const { label } = integrators.find(({ id }) => id === method)!
+  return runner
+    ? `${runner.name} in the lab, ${label}`
+    : `${label} at ${plain(rate)} steps a second`
+}
+
+/** A point's error, or why it has none, in very few words. */
+export function errorText({ error, outcome, whole }: DiagramPoint): string {
+  if (whole) return roughSize(error)
+  return outcome === 'diverged'
+    ? 'blew up'
+    : outcome === 'left-the-track'
+      ? 'left the track'
+      : 'not known'
 }
 
 /** What a point says, in a sentence. */
@@ -46,11 +60,6 @@ export function pointWords({ error, cost, outcome, whole }: DiagramPoint, kind: 
   if (outcome === 'left-the-track') return `left the track, ${price}`
   if (outcome === 'diverged') return `blew up, ${price}`
   if (!whole) return 'the true motion is not known here'
-  const size =
-    error < ROUNDING ? 'exact to rounding' : `never off by more than ${metres(two(error))}`
+  const size = error < ROUNDING ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
   return `${size}, ${price}`
-}
-
-function two(value: number): number {
-  return Number(value.toPrecision(2))
 }

@@ -14,8 +14,8 @@ export function paintMap(
   const { columns, rows } = cells.request
   const { low, high } = cells.decades()
   const pen = canvas.getContext('2d')!
-  const [ground, soft, sheet] = [palette.ground, palette.inkSoft, palette.ink, palette.sheet].map(
-    (colour) => toRgb(pen, colour),
+  const [ground, soft, sheet] = [palette.ground, palette.inkSoft, palette.sheet].map((colour) =>
+    toRgb(pen, colour),
   ) as [Rgb, Rgb, Rgb]
   const colourOf = (kind: CellKind, value: number, column: number, row: number): Rgb => {
     switch (kind) {

@@ -1,8 +1,9 @@
 import { html } from 'lit'
 import { rateAt, valueAt } from '../../measure/index.ts'
-import { metres, plain, raw } from '../../view/numbers.ts'
+import { plain, raw } from '../../view/numbers.ts'
 import type { MapCells } from './mapCells.ts'
 import { cellWords, mappedOption, valueText } from './mapWords.ts'
+import { roughSize } from './scale.ts'
 
 const COLUMNS = 8
 const ROWS = 6
@@ -29,9 +30,7 @@ export function mapTable(cells: MapCells) {
               ${columns.map((column) => {
                 const cell = cells.cell(column, row)
                 const text =
-                  cell.kind === 'measured'
-                    ? metres(Number(cell.value.toPrecision(2)))
-                    : cellWords(cell, request)
+                  cell.kind === 'measured' ? roughSize(cell.value) : cellWords(cell, request)
                 return html`<td title=${cell.kind === 'measured' ? `${raw(cell.value)} m` : ''}>
                   ${text}
                 </td>`

@@ -2,9 +2,9 @@ import { rateAt, REFERENCE_RATE, ROUNDING, valueAt } from '../../measure/index.t
 import type { MapRequest } from '../../measure/index.ts'
 import { scenes } from '../../physics/index.ts'
 import type { NumberOption, Scene } from '../../physics/index.ts'
-import { metres, plain } from '../../view/numbers.ts'
+import { plain } from '../../view/numbers.ts'
 import type { Cell, MapCells } from './mapCells.ts'
-import { metresText } from './scale.ts'
+import { metresText, roughSize } from './scale.ts'
 
 /** The parameter that a map is drawn over. */
 export function mappedOption({ experiment, parameter }: MapRequest): NumberOption {
@@ -27,7 +27,7 @@ export function placeText(request: MapRequest, column: number, row: number): str
 export function cellWords({ kind, value }: Cell, { of }: MapRequest): string {
   switch (kind) {
     case 'measured': {
-      const size = metres(Number(value.toPrecision(2)))
+      const size = roughSize(value)
       if (of === 'spread')
         return value < ROUNDING
           ? `ends where it does at ${REFERENCE_RATE} fps, to rounding`

@@ -79,7 +79,11 @@ class MeasureViews extends LitElement {
     const { experiment } = runner.trajectory
     switch (view) {
       case 'diagram':
-        return html`<speed-diagram .experiment=${experiment} .load=${this.load}></speed-diagram>
+        return html`<speed-diagram
+            .experiment=${experiment}
+            .runners=${simulated.visible}
+            .load=${this.load}
+          ></speed-diagram>
           <measured-report></measured-report>`
       case 'map':
         return html`<rate-map

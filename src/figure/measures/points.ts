@@ -16,6 +16,17 @@ export interface DiagramPoint {
   readonly outcome: Outcome['kind']
   /** Its error says something: it ran to its end, and the truth is known. */
   readonly whole: boolean
+  /** The runner of the lab whose run it is, if it is one's. */
+  readonly runner?: DiagramRunner
+}
+
+/** Whose run a point is. */
+export interface DiagramRunner {
+  readonly name: string
+  /** Place in the palette and the list of marks. */
+  readonly look: number
+  /** Its stopping rule or its time step is not that of the curves: it lies beside its method's. */
+  readonly apart: boolean
 }
 
 /** What one method did. */

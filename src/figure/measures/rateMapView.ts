@@ -60,16 +60,20 @@ export class RateMap extends LitElement {
   declare private listed: boolean
   declare private width: number
   private methodKey = ''
-  private cells: MapCells | undefined
+  private cells!: MapCells
   /** What the image was painted from. */
   private painted: unknown[] = []
   private readonly colours = new PaletteReader(this)
+  /** It follows from the width [px]. */
+  private height = 0
   private readonly sizes = new ResizeObserver(([entry]) => {
-    this.width = Math.round(entry!.contentRect.width)
+    const { width, height } = entry!.contentRect
+    this.height = height
+    this.width = Math.round(width)
   })
   private stopThemes = () => {}
   private readonly measuring: Measuring = new Measuring(this, ({ request }, parts, fresh) => {
-    if (fresh || !this.cells) this.cells = new MapCells(request as MapRequest)
+    if (fresh) this.cells = new MapCells(request as MapRequest)
     for (const row of parts) this.cells.take(row as MapRow)
   })
 
@@ -106,15 +110,18 @@ export class RateMap extends LitElement {
     const names = Object.keys(this.scene.parameters)
     if (!names.includes(this.parameter))
       this.parameter = telling.find((name) => names.includes(name)) ?? names[0]!
-    this.measuring.want({ kind: 'map', request: this.request })
+    const { request } = this
+    this.measuring.want({ kind: 'map', request })
+    // As yet without a figure, it has all its room.
+    this.cells ??= new MapCells(request)
   }
 
   override updated(): void {
     this.sizes.observe(this.querySelector('.area')!)
     const canvas = this.querySelector('canvas')
     const palette = this.colours.read()
-    const wanted = [this.cells, this.cells?.version, palette]
-    if (!canvas || !this.cells || wanted.every((each, i) => each === this.painted[i])) return
+    const wanted = [this.cells, this.cells.version, palette]
+    if (!canvas || wanted.every((each, i) => each === this.painted[i])) return
     this.painted = wanted
     paintMap(canvas, this.cells, palette, this.isDark)
   }
@@ -142,17 +149,15 @@ export class RateMap extends LitElement {
   }
 
   override render() {
-    const { width, measuring, cross, cells } = this
-    const request = cells?.request ?? this.request
-    const height = width < 480 ? 340 : 430
+    const { width, height, measuring, cross, cells } = this
+    const { request } = cells
     const frame = mapFrame(width, height)
     const { left, top, right, bottom } = frame
-    const shown = cross && cells && this.isCurrent(cells.request) ? cross : undefined
+    const shown = this.isCurrent(request) ? cross : undefined
     return html`<div class="measure" ?data-busy=${measuring.busy}>
       ${this.controls()}
       <div
         class="area"
-        .style="height: ${height}px"
         role="group"
         tabindex="0"
         aria-label="Frame-rate map. The arrow keys move the cross hair, with Shift by ten, Enter shows the run in the lab."
@@ -169,24 +174,18 @@ export class RateMap extends LitElement {
         ></canvas>
         ${width > 0 ? mapDrawing(request, frame, this.here(), shown) : nothing}
       </div>
-      ${
-        cells
-          ? guard([cells, cells.version, this.isDark], () =>
-              mapLegend(cells, this.isDark, this.limitWords(request)),
-            )
-          : nothing
-      }
+      ${guard([cells, cells.version, this.isDark], () =>
+        mapLegend(cells, this.isDark, this.limitWords(request)),
+      )}
       <p class="read-out">
         ${
-          shown && cells
+          shown
             ? html`<b>${placeText(request, shown.column, shown.row)}:</b> the run
                 ${cellWords(cells.cell(shown.column, shown.row), request)}.
                 <span class="soft">Click to see it in the lab.</span>`
             : html`<span class="soft"
                 >${
-                  cells && measuring.done === 1
-                    ? guard([cells, cells.version], () => summary(cells))
-                    : ''
+                  measuring.done === 1 ? guard([cells, cells.version], () => summary(cells)) : ''
                 }</span
               >`
         }
@@ -196,7 +195,7 @@ export class RateMap extends LitElement {
         @toggle=${(event: Event) => (this.listed = (event.target as HTMLDetailsElement).open)}
       >
         <summary>As a table<span class="visually-hidden">: frame-rate map</span></summary>
-        ${this.listed && cells ? mapTable(cells) : nothing}
+        ${this.listed ? mapTable(cells) : nothing}
       </details>
     </div>`
   }
@@ -263,7 +262,7 @@ export class RateMap extends LitElement {
     if (rate === undefined) return ''
     if (rate === Infinity) return 'Theory: blows up at every frame rate, sooner or later'
     if (rate === 0) return 'Theory: blows up at none'
-    return 'Theory: blows up left of this line, ω Δt beyond its limit'
+    return 'Theory, without friction: blows up left of this line'
   }
 
   private here() {
@@ -280,7 +279,7 @@ export class RateMap extends LitElement {
   private under({ clientX, clientY }: MouseEvent): MapPlace | undefined {
     const area = this.querySelector<HTMLElement>('.area')!
     const { left, top } = area.getBoundingClientRect()
-    const frame = mapFrame(this.width, area.clientHeight)
+    const frame = mapFrame(this.width, this.height)
     return cellUnder(this.request, frame, clientX - left, clientY - top)
   }
 
@@ -310,13 +309,12 @@ export class RateMap extends LitElement {
       row: Math.max(0, Math.min(rows - 1, row + up * steps)),
     }
     const { cells, cross } = this
-    if (cells)
-      this.told = `${placeText(cells.request, cross.column, cross.row)}: the run ${cellWords(cells.cell(cross.column, cross.row), cells.request)}.`
+    this.told = `${placeText(cells.request, cross.column, cross.row)}: the run ${cellWords(cells.cell(cross.column, cross.row), cells.request)}.`
   }
 
   private show(place: MapPlace | undefined): void {
     const { cells } = this
-    if (!place || !cells) return
+    if (!place) return
     const { column, row } = place
     const cell = cells.cell(column, row)
     if (cell.kind === 'refused') return

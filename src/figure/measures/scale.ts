@@ -1,3 +1,6 @@
+import { ROUNDING } from '../../measure/index.ts'
+import { metres, plain } from '../../view/numbers.ts'
+
 /** A logarithmic axis: a value's place, and the powers of ten on it. */
 export interface LogScale {
   readonly from: number
@@ -37,4 +40,14 @@ export function metresText(exponent: number): string {
 
 function superscript(exponent: number): string {
   return String(exponent).replace(/[-\d]/g, (c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)]!))
+}
+
+/** A distance as people say it, down to the nanometres that the axes go to: “0.254 m”, “31.2 nm”, “0 (to rounding)”. */
+export function sizeText(value: number): string {
+  return value < 1e-6 && value >= ROUNDING ? `${plain(value * 1e9)}\u2009nm` : metres(value)
+}
+
+/** The same in two digits, which is as much as can be seen. */
+export function roughSize(value: number): string {
+  return sizeText(Number(value.toPrecision(2)))
 }

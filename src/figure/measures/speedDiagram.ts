@@ -1,22 +1,26 @@
 import { html, LitElement, nothing } from 'lit'
 import { integrators, stoppings } from '../../physics/index.ts'
-import type { Experiment, Integrator, StoppingId } from '../../physics/index.ts'
+import type { Experiment, StoppingId } from '../../physics/index.ts'
 import { sweepMethods, sweepRates, sweptExperiment } from '../../measure/index.ts'
 import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
-import { metres, plain } from '../../view/numbers.ts'
+import { plain, raw } from '../../view/numbers.ts'
 import { menu } from '../menu.ts'
+import type { SimulatedRunner } from '../simulation.ts'
 import { costKinds } from './costs.ts'
 import { diagramDrawing } from './diagramDrawing.ts'
-import { layOut, nearestSpot } from './diagramLayout.ts'
+import { layOut, nearestSpot, rowsOf } from './diagramLayout.ts'
 import type { DiagramLayout, Spot } from './diagramLayout.ts'
 import { diagramTable } from './diagramTable.ts'
-import { advice, leastError, pointWords, rateText } from './diagramWords.ts'
+import { advice, errorText, leastError, pointName, pointWords } from './diagramWords.ts'
+import { labRunners } from './labRunners.ts'
+import type { LabRunner } from './labRunners.ts'
 import { loadByAddress } from './loading.ts'
 import type { Measured } from './loading.ts'
 import { Measuring } from './measuring.ts'
 import { diagramCurves } from './points.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
 import { progress } from './progress.ts'
+import { roughSize } from './scale.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 import type { Part, Task } from './task.ts'
 
@@ -25,11 +29,13 @@ import type { Part, Task } from './task.ts'
  *
  * - attribute or property `experiment`: the scene, its parameters and the duration, as JSON; its method and frames say
  *   nothing
+ * - `runners`: of the lab that it stands in, to be seen among the curves
  * - `load`: called with the run that the reader wants to see; without it the page's own lab shows it
  */
 export class SpeedDiagram extends LitElement {
   static override properties = {
     experiment: { type: Object },
+    runners: { attribute: false },
     stopping: { state: true },
     cost: { state: true },
     chosen: { state: true },
@@ -39,24 +45,32 @@ export class SpeedDiagram extends LitElement {
   }
 
   declare experiment: Experiment
+  declare runners: readonly SimulatedRunner[]
   /** Not reactive: a fresh closure is no reason to draw again. */
   load: (measured: Measured) => void = loadByAddress
   declare private stopping: StoppingId
   declare private cost: 'evaluations' | 'time'
-  /** The point that is read, by its method and its place in it. */
-  declare private chosen: { method: string; rate: number } | undefined
+  /** The point that is read, by what it is called. */
+  declare private chosen: string | undefined
   /** The same in words, for those who go there by keys. */
   declare private told: string
   declare private listed: boolean
+  /** Of the picture [px]. */
   declare private width: number
+  /** It follows from the width. */
+  private height = 0
   private readonly sizes = new ResizeObserver(([entry]) => {
-    this.width = Math.round(entry!.contentRect.width)
+    const { width, height } = entry!.contentRect
+    this.height = height
+    this.width = Math.round(width)
   })
   private sweptKey = ''
   private swept = new Map<string, SweepCurve>()
   private timedKey = ''
   private timed = new Map<string, TimedCurve>()
   private layout: DiagramLayout | undefined
+  /** The curves are those of what is asked for now. */
+  private current = false
   private readonly measuring: Measuring = new Measuring(this, (task, parts, fresh) =>
     this.take(task, parts, fresh),
   )
@@ -68,6 +82,7 @@ export class SpeedDiagram extends LitElement {
     this.cost = 'evaluations'
     this.told = ''
     this.listed = false
+    this.runners = []
     this.width = 0
   }
 
@@ -88,7 +103,8 @@ export class SpeedDiagram extends LitElement {
   override willUpdate(): void {
     const { request } = this
     const key = JSON.stringify(request)
-    const whole = this.sweptKey === key && this.swept.size === request.methods.length
+    this.current = this.sweptKey === key
+    const whole = this.current && this.swept.size === request.methods.length
     const timed = this.timedKey === key && this.timed.size === request.methods.length
     if (request.experiment.duration === 0) this.measuring.want(undefined)
     else if (!whole) this.measuring.want({ kind: 'sweep', request })
@@ -129,11 +145,17 @@ export class SpeedDiagram extends LitElement {
   }
 
   override render() {
-    const { request, width, cost, stopping, measuring } = this
+    const { request, width, height, cost, stopping, measuring } = this
     const kind = costKinds.find(({ id }) => id === cost)!
     const { curves } = this
-    const height = width < 480 ? 360 : 430
-    this.layout = width > 0 && curves.length > 0 ? layOut(curves, width, height) : undefined
+    const runners = labRunners(
+      this.runners,
+      { stopping, duration: request.experiment.duration! },
+      cost === 'time' ? curves : undefined,
+    )
+    const points = runners.flatMap(({ point }) => (point && this.current ? [point] : []))
+    this.layout =
+      width > 0 && curves.length > 0 ? layOut(curves, { width, height }, points) : undefined
     const spot = this.spot()
     return html`<div class="measure" ?data-busy=${measuring.busy}>
       <div class="measure-controls">
@@ -166,7 +188,6 @@ export class SpeedDiagram extends LitElement {
       </div>
       <div
         class="area"
-        .style="height: ${height}px"
         role="group"
         tabindex="0"
         aria-label="Speed against error. Left and right go along a curve, up and down to another, Enter shows the run in the lab."
@@ -178,13 +199,12 @@ export class SpeedDiagram extends LitElement {
         ${this.layout ? diagramDrawing(this.layout, kind, spot) : nothing}
         ${request.experiment.duration === 0 ? html`<p class="absent">A run of 0 s costs nothing and is never wrong.</p>` : nothing}
       </div>
-      ${this.layout && !this.layout.named ? this.key(curves) : nothing}
+      ${this.key(curves)} ${runners.length > 0 ? this.rings(runners) : nothing}
       <p class="read-out">
         ${
           spot
-            ? html`<b>${this.nameOf(spot.point)}</b> at ${rateText(spot.point.rate)}:
-                ${pointWords(spot.point, kind)}.
-                <span class="soft">Click to see it in the lab.</span>`
+            ? html`<b>${pointName(spot.point)}</b>: ${pointWords(spot.point, kind)}.
+                ${spot.point.runner ? nothing : html`<span class="soft">Click to see it in the lab.</span>`}`
             : html`<span class="soft"
                 >Further down is better, further left is cheaper; the grey band joins the best.
                 Point at a mark to read it.</span
@@ -192,24 +212,44 @@ export class SpeedDiagram extends LitElement {
         }
       </p>
       <output class="visually-hidden">${this.told}</output>
-      ${this.advice(curves, kind.label)}
       <details
         @toggle=${(event: Event) => (this.listed = (event.target as HTMLDetailsElement).open)}
       >
         <summary>As a table<span class="visually-hidden">: speed against error</span></summary>
-        ${this.listed ? diagramTable(curves, kind) : nothing}
+        ${this.listed ? diagramTable(curves, points, kind) : nothing}
       </details>
+      ${this.advice(curves, kind.label)}
     </div>`
   }
 
+  /** Its room is known before the curves are. */
   private key(curves: readonly DiagramCurve[]) {
-    return html`<ul class="key">
-      ${curves.map(
-        ({ look, label, order }) =>
+    return html`<ul class="key curve-key">
+      ${integrators.map(
+        ({ id, label, colour }) =>
           html`<li>
-            <runner-mark .look=${look}></runner-mark> ${label} <span class="soft">${order}</span>
+            <runner-mark .look=${colour}></runner-mark> ${label}
+            <span class="soft">${curves.find(({ method }) => method === id)?.order}</span>
           </li>`,
       )}
+    </ul>`
+  }
+
+  private rings(runners: readonly LabRunner[]) {
+    return html`<ul class="key ring-key">
+      <li class="soft">Rings: the lab’s runners</li>
+      ${runners.map(
+        ({ name, look, point, why }) =>
+          html`<li title=${point ? `${raw(point.error)} m` : ''}>
+            <runner-mark .look=${look}></runner-mark> ${name}
+            <span class="soft">${point ? errorText(point) : `no ring: ${why}`}</span>
+          </li>`,
+      )}
+      ${
+        runners.some(({ point }) => point?.runner!.apart)
+          ? html`<li class="soft">Dashed: stops or steps otherwise than the curves</li>`
+          : nothing
+      }
     </ul>`
   }
 
@@ -224,7 +264,7 @@ export class SpeedDiagram extends LitElement {
             html`<li>
               For <b>${error}</b>, use
               <button type="button" class="in-text" @click=${() => this.show(point)}>
-                ${this.nameOf(point)} at ${rateText(point.rate)}</button
+                ${pointName(point)}</button
               >.
             </li>`,
         )}
@@ -232,7 +272,7 @@ export class SpeedDiagram extends LitElement {
       ${
         found.length > 0 && least > 1e-9
           ? html`<p class="soft">
-              Nothing here comes nearer than ${metres(Number(least.toPrecision(2)))} with up to
+              Nothing here comes nearer than ${roughSize(least)} with up to
               ${plain(sweepRates.at(-1)!)} steps a second.
             </p>`
           : nothing
@@ -240,32 +280,23 @@ export class SpeedDiagram extends LitElement {
     </div>`
   }
 
-  private nameOf({ method }: DiagramPoint): string {
-    return this.integrator(method).label
-  }
-
-  private integrator(id: string): Integrator {
-    return integrators.find((each) => each.id === id)!
-  }
-
   private spot(): Spot | undefined {
     const { chosen, layout } = this
     if (!chosen || !layout) return undefined
-    const drawn = layout.drawn.find(({ curve }) => curve.method === chosen.method)
-    return drawn?.spots.find(({ point }) => point.rate === chosen.rate)
+    return rowsOf(layout)
+      .flat()
+      .find(({ point }) => pointName(point) === chosen)
   }
 
   private readonly point = (event: PointerEvent): void => {
     const spot = this.under(event)
-    const { method, rate } = this.chosen ?? {}
-    if (spot?.point.method === method && spot?.point.rate === rate) return
-    this.chosen = spot && { method: spot.point.method, rate: spot.point.rate }
+    this.chosen = spot && pointName(spot.point)
   }
 
   private readonly clicked = (event: MouseEvent): void => {
     const spot = this.under(event)
     if (!spot) return
-    this.chosen = { method: spot.point.method, rate: spot.point.rate }
+    this.chosen = pointName(spot.point)
     this.show(spot.point)
   }
 
@@ -297,27 +328,32 @@ export class SpeedDiagram extends LitElement {
   }
 
   private go(
-    { drawn }: DiagramLayout,
+    layout: DiagramLayout,
     from: Spot | undefined,
     [across, along]: readonly [number, number],
   ) {
-    const row = drawn.findIndex(({ curve }) => curve.method === from?.point.method)
-    const next = from ? (row + across + drawn.length) % drawn.length : 0
-    const { points } = drawn[next]!.curve
-    const place = from ? points.findIndex(({ rate }) => rate === from.point.rate) + along : 0
-    const point = points[Math.max(0, Math.min(points.length - 1, place))]!
-    this.chosen = { method: point.method, rate: point.rate }
+    const rows = rowsOf(layout)
+    const row = from ? rows.findIndex((spots) => spots.includes(from)) : 0
+    const spots = rows[(row + across + rows.length) % rows.length]!
+    // Another curve is met at the same rate.
+    const met = spots.findIndex(({ point }) => point.rate === from?.point.rate)
+    const place = !from ? 0 : across ? met : spots.indexOf(from) + along
+    const { point } = spots[Math.max(0, Math.min(spots.length - 1, place))]!
+    this.chosen = pointName(point)
     const kind = costKinds.find(({ id }) => id === this.cost)!
-    this.told = `${this.nameOf(point)} at ${rateText(point.rate)}: ${pointWords(point, kind)}.`
+    this.told = `${this.chosen}: ${pointWords(point, kind)}.`
   }
 
   private show(point: DiagramPoint): void {
-    const kind = costKinds[0]!
-    const label = `${this.nameOf(point)} at ${rateText(point.rate)}`
+    // It is there already.
+    if (point.runner) return
     this.load({
       experiment: sweptExperiment(this.request, point.method, point.rate),
-      label,
-      words: `It is ${pointWords(point, costKinds.find(({ id }) => id === this.cost) ?? kind)}.`,
+      label: pointName(point),
+      words: `It is ${pointWords(
+        point,
+        costKinds.find(({ id }) => id === this.cost)!,
+      )}.`,
     })
   }
 }

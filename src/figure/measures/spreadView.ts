@@ -3,13 +3,14 @@ import { integrators, scenes, stoppings, timesteps } from '../../physics/index.t
 import type { Experiment, SceneId } from '../../physics/index.ts'
 import { spreadMethods } from '../../measure/index.ts'
 import type { MethodChoice, SpreadRequest, SpreadRow } from '../../measure/index.ts'
-import { metres, raw } from '../../view/numbers.ts'
+import { raw } from '../../view/numbers.ts'
 import { menu } from '../menu.ts'
 import { openingOf } from '../opening.ts'
 import { choose } from '../state.ts'
 import type { LabState, RunnerState } from '../state.ts'
 import { Measuring } from './measuring.ts'
 import { progress } from './progress.ts'
+import { sizeText } from './scale.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
 /**
@@ -127,7 +128,7 @@ export class SpreadView extends LitElement {
       ${scenes.map(({ id, label }, column) => {
         const spread = spreads?.[column]
         if (spread === undefined) return html`<td>…</td>`
-        const text = Number.isFinite(spread) ? metres(spread) : 'without bound'
+        const text = Number.isFinite(spread) ? sizeText(spread) : 'without bound'
         const [figure, remark] = text.split(/ (?=\()/)
         return html`<td ?data-exact=${remark !== undefined}>
           <button

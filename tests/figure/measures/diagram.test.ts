@@ -3,7 +3,7 @@ import { costKinds } from '../../../src/figure/measures/costs.ts'
 import { layOut, nearestSpot } from '../../../src/figure/measures/diagramLayout.ts'
 import { advice, leastError, pointWords } from '../../../src/figure/measures/diagramWords.ts'
 import { diagramCurves } from '../../../src/figure/measures/points.ts'
-import { logScale, metresText } from '../../../src/figure/measures/scale.ts'
+import { logScale, metresText, roughSize, sizeText } from '../../../src/figure/measures/scale.ts'
 import { sweep, sweepMethods, sweepRates } from '../../../src/measure/index.ts'
 import { integrators } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
@@ -39,7 +39,7 @@ describe('the curves', () => {
     const [euler] = pipe
     expect(euler!.points[0]).toMatchObject({ outcome: 'left-the-track', whole: false })
     expect(pointWords(euler!.points[0]!, costKinds[0]!)).toMatch(/^left the track, for /)
-    const { frontier, failed, top } = layOut(pipe, 1000, 430)
+    const { frontier, failed, top } = layOut(pipe, { width: 1000, height: 430 })
     expect(failed).toBe(top)
     expect(frontier.every(({ point }) => point.whole)).toBe(true)
   })
@@ -51,7 +51,7 @@ describe('the layout', () => {
     ['on a phone', 300],
   ])('%s has everything inside, further down where the error is less', (_, width) => {
     for (const curves of [kick, pipe]) {
-      const layout = layOut(curves, width, 430)
+      const layout = layOut(curves, { width, height: 430 })
       for (const { spots, labelY } of layout.drawn) {
         for (const { x, y, point } of spots) {
           expect(x).toBeGreaterThanOrEqual(layout.left)
@@ -69,7 +69,7 @@ describe('the layout', () => {
   })
 
   test('finds the point under a finger', () => {
-    const layout = layOut(kick, 1000, 430)
+    const layout = layOut(kick, { width: 1000, height: 430 })
     const spot = layout.drawn[2]!.spots[4]!
     expect(nearestSpot(layout, spot.x + 2, spot.y - 1)).toBe(spot)
     expect(nearestSpot(layout, 0, 430)).toBeUndefined()
@@ -117,6 +117,18 @@ describe('the words', () => {
     [-10, '0.1\u2009nm'],
     [-11, '10\u2009pm'],
   ])('10 to the power of %d metres', (exponent, text) => expect(metresText(exponent)).toBe(text))
+
+  test.each([
+    [0.2543, '0.25\u2009m', '0.254\u2009m'],
+    [1.234e-6, '1.2\u2009µm', '1.23\u2009µm'],
+    [4.562e-8, '46\u2009nm', '45.6\u2009nm'],
+    [3.04e-11, '0.03\u2009nm', '0.0304\u2009nm'],
+    [9e-12, '0 (to rounding)', '0 (to rounding)'],
+    [0, '0 (to rounding)', '0 (to rounding)'],
+  ])('a size of %d m', (value, rough, whole) => {
+    expect(roughSize(value)).toBe(rough)
+    expect(sizeText(value)).toBe(whole)
+  })
 
   test('a scale has its powers of ten', () => {
     const scale = logScale(0.5, 200, 0, 100)
