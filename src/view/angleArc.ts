@@ -1,5 +1,5 @@
 import { clamp } from './geometry.ts'
-import type { Point } from './geometry.ts'
+import type { Box, Point } from './geometry.ts'
 import type { Layout } from './layout.ts'
 import { degrees } from './numbers.ts'
 import type { Palette } from './palette.ts'
@@ -10,14 +10,14 @@ import { bendEnd } from './subjects.ts'
 import { slackBox } from './spring.ts'
 import { widthOf, write } from './text.ts'
 
-/** The slope's angle at its foot: a dashed horizontal, an arc and the value. */
+/** The slope's angle at its foot: a dashed horizontal, an arc and the value. Answers with the room of the words there. */
 export function drawAngle(
   context: CanvasRenderingContext2D,
   picture: Picture,
   layout: Layout,
   projection: Projection,
   palette: Palette,
-): void {
+): Box[] {
   const { scene, parameters } = picture
   const angle = (parameters.angle! * Math.PI) / 180
   const vertex = vertexOf(picture, layout, projection)
@@ -36,23 +36,25 @@ export function drawAngle(
   const wedge = (radius + 8) * Math.tan(angle)
   // Where there is none, under the horizontal and the dots.
   const y = wedge >= room - 1 ? vertex.y - 7 : vertex.y + 17 + Math.max(0, lanes.depth - wedge)
+  const words: Box[] = []
   let near = vertex.x + side * (radius + 9)
   if (scene.id === 'spring') {
     // Beside the word that stands there, where they would cross.
     const word = slackBox(context, layout, projection, palette)
+    words.push(word)
     const far = near + side * labelWidth
     const isBeside = Math.min(near, far) > word.right + 6 || Math.max(near, far) < word.left - 6
     if (!isBeside && y > word.top - 6 && y - 17 < word.bottom)
       near = side > 0 ? word.right + 10 : word.left - 10
   }
-  near = side > 0 ? near : Math.max(near, labelWidth + 6)
-  const end = near + side * (labelWidth + 15)
+  const left = side > 0 ? near : Math.max(near - labelWidth, 6)
+  const right = left + labelWidth
   context.strokeStyle = palette.inkSoft
   context.lineWidth = 1
   context.setLineDash([4, 4])
   context.beginPath()
   context.moveTo(vertex.x, vertex.y)
-  context.lineTo(end, vertex.y)
+  context.lineTo(side > 0 ? right + 15 : left - 15, vertex.y)
   context.stroke()
   context.setLineDash([])
   context.beginPath()
@@ -61,10 +63,8 @@ export function drawAngle(
   context.stroke()
 
   context.fillStyle = palette.ink
-  write(context, label, near, y, {
-    align: side > 0 ? 'left' : 'right',
-    halo: palette.ground,
-  })
+  write(context, label, left, y, { halo: palette.ground })
+  return [...words, { left, top: y - 14, right, bottom: y }]
 }
 
 /** Where the line of the slope meets the level ground. */

@@ -1,4 +1,5 @@
 import { drawAngle } from './angleArc.ts'
+import type { Box } from './geometry.ts'
 import { drawGround } from './ground.ts'
 import type { Palette } from './palette.ts'
 import { drawPost } from './post.ts'
@@ -19,6 +20,7 @@ export class Backdrop {
   private setting: Setting | undefined
   private lanes: readonly Lane[] = []
   private batches: readonly Batch[] = []
+  private words: Box[] = []
   /** How many of the batches have been drawn. */
   private drawn = 0
 
@@ -27,8 +29,8 @@ export class Backdrop {
     return countDots(this.lanes, time)
   }
 
-  /** Draws it as it is at a time, over all of a context's canvas. */
-  draw(target: CanvasRenderingContext2D, setting: Setting, palette: Palette, time: number): void {
+  /** Draws it as it is at a time, over all of a context's canvas. Answers with the room of the words in its ground. */
+  draw(target: CanvasRenderingContext2D, setting: Setting, palette: Palette, time: number): Box[] {
     const last = this.batches[this.drawn - 1]
     if (setting !== this.setting) {
       this.setting = setting
@@ -43,6 +45,7 @@ export class Backdrop {
     target.drawImage(this.canvas, 0, 0)
     target.restore()
     drawLatest(target, this.lanes, time)
+    return this.words
   }
 
   /** Draws all that is there before the first frame. */
@@ -54,7 +57,7 @@ export class Backdrop {
     if (canvas.height !== height) canvas.height = height
     context.setTransform(target.getTransform())
     this.drawn = 0
-    drawScenery(context, setting, palette)
+    this.words = drawScenery(context, setting, palette)
     drawFaint(context, this.lanes)
     drawGhost(context, picture, layout, projection, palette)
   }
@@ -65,7 +68,7 @@ function drawScenery(
   context: CanvasRenderingContext2D,
   { picture, layout, projection }: Setting,
   palette: Palette,
-): void {
+): Box[] {
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, layout.width, layout.height)
   if (picture.scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
@@ -73,7 +76,9 @@ function drawScenery(
     drawGround(context, picture, layout, projection, palette)
     drawScaleBar(context, layout, palette)
   }
-  if ('angle' in picture.parameters) drawAngle(context, picture, layout, projection, palette)
+  return 'angle' in picture.parameters
+    ? drawAngle(context, picture, layout, projection, palette)
+    : []
 }
 
 /** Draws a backdrop straight on a context, without keeping anything of it. */
@@ -81,11 +86,12 @@ export const plainBackdrop: Pick<Backdrop, 'draw'> = {
   draw(context, setting, palette, time) {
     const { picture, layout, projection } = setting
     const lanes = lanesOf(picture, layout, projection, palette)
-    drawScenery(context, setting, palette)
+    const words = drawScenery(context, setting, palette)
     drawFaint(context, lanes)
     drawGhost(context, picture, layout, projection, palette)
     for (const batch of batchesOf(lanes)) if (isShown(batch, time)) drawBatch(context, batch)
     drawLatest(context, lanes, time)
+    return words
   },
 }
 

@@ -1,6 +1,7 @@
 import type { Actor } from './actors.ts'
 import { top } from './body.ts'
 import { clamp } from './geometry.ts'
+import type { Placed } from './labels.ts'
 import type { Layout } from './layout.ts'
 import { place, seconds } from './numbers.ts'
 import type { Picture } from './picture.ts'
@@ -21,7 +22,8 @@ export interface Caption {
   readonly font: string
   readonly text: string
   readonly time: string
-  readonly textWidth: number
+  /** How wide the mark and the text are. */
+  readonly name: number
   /** Of the flag and its time, if there will be one. */
   readonly flag: number
   /** Of all, the flag's room included, so that nothing moves when it is hoisted. */
@@ -44,10 +46,9 @@ export function captionOf(
   const ending = end ? words[end.kind] : ''
   const where = ending || (wordy ? place(distance, 5 / camera.scale) : '')
   const text = [runner ? runner.name : 'exact', where].filter(Boolean).join(' · ')
-  const textWidth = widthOf(context, text, font)
   const time = wordy && end?.kind === 'at-rest' ? seconds(end.time) : ''
   const pole = top(body).x
-  const name = textWidth + (runner ? MARK : 0)
+  const name = widthOf(context, text, font) + (runner ? MARK : 0)
   const { restsAt } = actor
   const stamps = ['0.00 s', restsAt === undefined ? '' : seconds(restsAt)]
   const stamp = Math.max(...stamps.map((each) => widthOf(context, each, font)))
@@ -57,10 +58,24 @@ export function captionOf(
   // canvas that has none to spare.
   const room = lean < 1 ? flag : clamp(pole - name - 12, 0, flag)
   // Hoisted there all the same, it hangs on the other side of the pole, without its time.
-  const cramped = end && room < flag
+  const cramped = end !== undefined && room < flag
   const free = canvas < 480 && !end ? 0 : room
   const width = cramped ? Math.max(name, pole) + FLAG : name + free
-  return { actor, font, text, time: cramped ? '' : time, textWidth, flag, width, lean, pole }
+  const shown = cramped ? '' : time
+  return { actor, font, text, name, time: shown, flag: cramped ? FLAG : flag, width, lean, pole }
+}
+
+/** Where the name and the flag begin in a caption's box; neither ever leaves it. */
+export function partsOf(
+  { name, flag, width, lean, pole }: Caption,
+  { left, aside }: Placed,
+): { name: number; flag: number } {
+  if (aside || lean <= 0.5) return { name: left, flag: left + name + 6 }
+  const end = left + width - name
+  // A name keeps to its pole, also where the canvas's edge has pushed the label; the flag takes what is left.
+  const start = lean < 1 ? end : clamp(pole - name - 6, left, end)
+  const isRoomy = start - left > flag - 1
+  return { name: start, flag: isRoomy ? left + 2 : Math.max(start + name, pole) + 6 }
 }
 
 /**

@@ -1,21 +1,27 @@
 import { centre, top } from './body.ts'
-import { MARK } from './caption.ts'
+import { MARK, partsOf } from './caption.ts'
 import type { Caption } from './caption.ts'
-import { clamp } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import type { Box } from './geometry.ts'
+import type { Placed } from './labels.ts'
 import { markOf } from './marks.ts'
 import type { Palette } from './palette.ts'
 import { write } from './text.ts'
+
+/** A caption, and where it is written. */
+export interface Written {
+  readonly caption: Caption
+  readonly box: Placed
+}
 
 function colours({ actor: { runner } }: Caption, palette: Palette): { fill: string; text: string } {
   return runner ? palette.runners[runner.look]! : { fill: palette.ink, text: palette.ink }
 }
 
-/** The line from a block to its label. */
+/** The line from a block to its label; it is broken where there are `letters`. */
 export function drawLeader(
   context: CanvasRenderingContext2D,
-  caption: Caption,
-  box: Box,
+  { caption, box }: Written,
+  letters: readonly Box[],
   vertical: boolean,
   palette: Palette,
 ): void {
@@ -26,41 +32,35 @@ export function drawLeader(
   if (vertical) {
     const middle = (box.top + box.bottom) / 2
     const { x, y } = centre(body)
-    context.moveTo(x + body.size / 2, y)
-    context.lineTo(box.left - 18, middle)
+    const side = x + body.size / 2
+    context.moveTo(side, y)
+    context.lineTo(Math.max(box.left - 18, side), middle)
     context.lineTo(box.left - 5, middle)
   } else {
-    const foot: Point = top(body)
-    context.moveTo(foot.x, foot.y)
+    const { x, y } = top(body)
+    context.moveTo(x, y)
     // A pole stands beside its label, or under it where the canvas's edge has pushed the label over it.
-    if (foot.x > box.left - 3 && foot.x < box.right + 3) context.lineTo(foot.x, box.bottom)
-    else context.lineTo(foot.x, box.top + 3)
+    const end = x > box.left - 3 && x < box.right + 3 ? box.bottom : box.top + 3
+    for (const { left, right, top, bottom } of letters) {
+      if (x < left - 2 || x > right + 2 || top > y || bottom <= end) continue
+      context.lineTo(x, Math.min(bottom, y))
+      context.moveTo(x, Math.max(top, end))
+    }
+    context.lineTo(x, end)
   }
   context.stroke()
 }
 
-/** The mark, the name and the rest. `all`: every caption, for poles that go up behind this one. */
+/** The mark, the name and the rest. */
 export function drawCaption(
   context: CanvasRenderingContext2D,
-  caption: Caption,
-  box: Box,
-  all: readonly Caption[],
+  { caption, box }: Written,
   palette: Palette,
 ): void {
-  const { actor, font, text, time, textWidth, lean, pole } = caption
+  const { actor, font, text, time } = caption
   const { fill, text: colour } = colours(caption, palette)
   const baseline = box.bottom - 5
-  const mark = actor.runner ? MARK : 0
-  const nameWidth = mark + textWidth
-  // The name keeps to its pole, also where the canvas's edge has pushed the label; the flag takes what is left.
-  const near = lean > 0.5 ? pole - nameWidth - 6 : box.left
-  const left = clamp(near, box.left, box.right - nameWidth)
-  if (crossed(caption, left, nameWidth, box, all)) {
-    context.globalAlpha = 0.9
-    context.fillStyle = palette.sheet
-    context.fillRect(left - 1, box.top + 1, nameWidth + 2, box.bottom - box.top - 2)
-    context.globalAlpha = 1
-  }
+  const { name: left, flag } = partsOf(caption, box)
   if (actor.runner) {
     const path = markOf(actor.runner.look, 4.6)
     context.save()
@@ -73,30 +73,11 @@ export function drawCaption(
     context.restore()
   }
   context.fillStyle = colour
+  const mark = actor.runner ? MARK : 0
   write(context, text, left + mark, baseline, { halo: palette.sheet, font })
   if (actor.end?.kind !== 'at-rest') return
-  const roomy = left - box.left > caption.flag - 1
-  const beyond = lean > 0.5 ? Math.max(left + nameWidth, pole) : left + nameWidth
-  const flag = roomy ? box.left + 2 : beyond + 6
   drawFlag(context, flag, baseline, colour)
   if (time) write(context, time, flag + 10, baseline, { halo: palette.sheet, font })
-}
-
-/** Whether another's pole goes up behind a name: letters with a line through them can't be read. */
-function crossed(
-  caption: Caption,
-  left: number,
-  width: number,
-  box: Box,
-  all: readonly Caption[],
-): boolean {
-  return all.some(
-    ({ actor, pole }) =>
-      actor !== caption.actor &&
-      pole > left - 2 &&
-      pole < left + width + 2 &&
-      top(actor.body).y > box.bottom,
-  )
 }
 
 function drawFlag(

@@ -3,43 +3,61 @@ import { boundsOf, centre, top } from './body.ts'
 import { captionOf } from './caption.ts'
 import type { Caption } from './caption.ts'
 import { drawCaption, drawLeader } from './captionDrawing.ts'
+import type { Written } from './captionDrawing.ts'
 import { clamp } from './geometry.ts'
 import type { Box } from './geometry.ts'
 import { placeColumn, placeLabels } from './labels.ts'
-import type { Placed } from './labels.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
-import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
+import type { Setting } from './setting.ts'
 
-/** Writes every actor's caption, none over another, over a block or over the `obstacles`. */
-export function drawCaptions(
+/** Where every actor's caption stands, none over another, over a block or over the `obstacles`. */
+export function placeCaptions(
   context: CanvasRenderingContext2D,
-  picture: Picture,
+  { picture, layout, projection, sky }: Setting,
   actors: readonly Actor[],
+  selected: Actor | undefined,
   obstacles: readonly Box[],
-  layout: Layout,
-  projection: Projection,
   palette: Palette,
-): void {
+): Written[] {
   context.font = `500 ${layout.row - 5}px ${palette.sans}`
   const { font } = context
   const captions = actors.map((actor) => captionOf(context, font, actor, picture, layout))
   const vertical = picture.scene.id === 'fall'
   captions.sort(inOrder(captions, projection, vertical))
-  const boxes = vertical
-    ? column(captions, layout)
-    : stacks(captions, [...actors.map(({ body }) => boundsOf(body)), ...obstacles], layout)
-  // The poles of high labels first: where several blocks share one, each length of it has its label's colour.
-  for (const i of [...captions.keys()].reverse()) {
+  if (vertical) return column(captions, obstacles, layout)
+  const poles = captions.map(({ actor, width, lean }) => ({
+    foot: top(actor.body),
+    width,
+    // Many stand closer.
+    height: layout.row - (actors.length > 5 ? 3 : 0),
+    lean,
+    sure: !actor.runner || actor === selected,
+  }))
+  const bodies = actors.map(({ body }) => boundsOf(body))
+  const boxes = placeLabels(poles, [...bodies, ...obstacles], sky, layout.width)
+  return captions.flatMap((caption, i) => {
     const box = boxes[i]
-    // One that had to go aside has none: its line would cross the others.
-    if (box && !box.aside) drawLeader(context, captions[i]!, box, vertical, palette)
-  }
-  captions.forEach((caption, i) => {
-    const box = boxes[i]
-    if (box) drawCaption(context, caption, box, captions, palette)
+    return box ? { caption, box } : []
   })
+}
+
+/** Writes them. No pole goes through a caption, nor through other `letters`. */
+export function drawCaptions(
+  context: CanvasRenderingContext2D,
+  captions: readonly Written[],
+  letters: readonly Box[],
+  vertical: boolean,
+  palette: Palette,
+): void {
+  const upwards = [...letters, ...captions.map(({ box }) => box)].sort((a, b) => b.top - a.top)
+  // The poles of high labels first: where several blocks share one, each length of it has its label's colour.
+  for (const written of [...captions].reverse()) {
+    // One that had to go aside has none: its line would cross the others.
+    if (!written.box.aside) drawLeader(context, written, upwards, vertical, palette)
+  }
+  for (const written of captions) drawCaption(context, written, palette)
 }
 
 /** By where the runs end: the same at every moment, and so that poles don't cross labels where they end. */
@@ -58,44 +76,30 @@ function inOrder(captions: readonly Caption[], projection: Projection, vertical:
   }
 }
 
-/** On poles. Where there isn't room for all in one stack, the exact block's label is sure of its place in it. */
-function stacks(
+/** Beside a fall, to the right of the arrow and its figure; where the canvas is too narrow, above or below these. */
+function column(
   captions: readonly Caption[],
   obstacles: readonly Box[],
-  layout: Layout,
-): (Placed | undefined)[] {
-  const placed = (order: readonly Caption[]) => {
-    const poles = order.map(({ actor, width, lean }) => ({
-      foot: top(actor.body),
-      width,
-      height: layout.row,
-      lean,
-    }))
-    const labels = placeLabels(poles, obstacles, layout.width)
-    return captions.map((caption) => labels[order.indexOf(caption)])
-  }
-  const labels = placed(captions)
-  if (labels.every((label) => label && !label.aside)) return labels
-  const exact = captions.filter(({ actor }) => !actor.runner)
-  return placed([...exact, ...captions.filter(({ actor }) => actor.runner)])
-}
-
-/** Beside a fall, to the right of the arrow and its figure. */
-function column(captions: readonly Caption[], { width, height, row }: Layout): Placed[] {
+  { width, height, row }: Layout,
+): Written[] {
   const widest = Math.max(...captions.map((caption) => caption.width))
   const ball = boundsOf(captions[0]!.actor.body)
   const left = clamp(ball.right + 84, 0, Math.max(0, width - widest - 8))
+  let [low, high] = [4, height - 4]
+  for (const { right, top, bottom } of obstacles) {
+    if (right < left) continue
+    if (top > height - bottom) high = top
+    else low = bottom
+  }
   const middles = placeColumn(
     captions.map(({ actor }) => centre(actor.body).y),
     row,
-    4,
-    height - 4,
+    low,
+    high,
   )
-  return middles.map((y, i) => ({
-    left,
-    top: y - row / 2,
-    right: left + captions[i]!.width,
-    bottom: y + row / 2,
-    aside: false,
-  }))
+  return middles.map((y, i) => {
+    const caption = captions[i]!
+    const right = left + caption.width
+    return { caption, box: { left, top: y - row / 2, right, bottom: y + row / 2, aside: false } }
+  })
 }

@@ -1,7 +1,7 @@
 import type { Actor } from './actors.ts'
 import { centre } from './body.ts'
 import type { Body } from './body.ts'
-import { around, moved } from './geometry.ts'
+import { around, moved, overlap } from './geometry.ts'
 import type { Box, Point } from './geometry.ts'
 import type { Layout } from './layout.ts'
 import type { ArrowId, Picture, PictureVector } from './picture.ts'
@@ -44,10 +44,11 @@ const rails: Readonly<Record<ArrowId, number>> = {
 export function forceArrows(
   { forces, scene }: Picture,
   { body, beyond }: Actor,
-  { force: longest }: Layout,
+  layout: Layout,
   obstacles: readonly Box[],
 ): ForceArrow[] {
   if (!forces || beyond !== 0) return []
+  const longest = layout.force
   const taken = [...obstacles]
   const arrows: ForceArrow[] = []
   for (const vector of forces.vectors) {
@@ -64,7 +65,7 @@ export function forceArrows(
     const direction = { x: whole.x / length, y: whole.y / length }
     const from = originOf(vector, body)
     const to = moved(from, direction, cut ? MOST * longest : length)
-    const box = tagBox(to, direction, vector.tag, taken)
+    const box = tagBox(to, direction, vector.tag, taken, layout)
     taken.push(box)
     const tagged = { id: vector.id, tag: vector.tag }
     const parts =
@@ -94,19 +95,27 @@ function pieces(from: Point, to: Point): Box[] {
   })
 }
 
-/** Before the tip, or beside it where that is taken. */
-function tagBox(tip: Point, direction: Point, tag: string, taken: readonly Box[]): Box {
+/** Before the tip, or beside it where that is taken, or further off: the first of those where the least is. */
+function tagBox(
+  tip: Point,
+  direction: Point,
+  tag: string,
+  taken: readonly Box[],
+  { width, height }: Layout,
+): Box {
   const side = { x: -direction.y, y: direction.x }
   const half = tag.length > 1 ? 11 : 7
-  const boxes = [
-    moved(tip, direction, 5 + half),
-    moved(moved(tip, direction, -4), side, 6 + half),
-    moved(moved(tip, direction, -4), side, -6 - half),
-    moved(tip, direction, 22 + half),
-  ].map((point) => around(point, half, 8))
-  return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0]!
-}
-
-function overlap(a: Box, b: Box): boolean {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
+  const back = moved(tip, direction, -4)
+  const boxes = [5, 22, 39].flatMap((far) =>
+    [
+      moved(tip, direction, far + half),
+      moved(back, side, far + 1 + half),
+      moved(back, side, -far - 1 - half),
+    ].map((point) => around(point, half, 8)),
+  )
+  const on = boxes.filter(
+    ({ left, top, right, bottom }) => left > 0 && top > 0 && right < width && bottom < height,
+  )
+  const crowd = (box: Box) => taken.filter((other) => overlap(box, other)).length
+  return on.sort((a, b) => crowd(a) - crowd(b))[0] ?? boxes[0]!
 }

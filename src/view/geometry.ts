@@ -25,3 +25,13 @@ export function moved(from: Point, direction: Point, distance: number): Point {
 export function around({ x, y }: Point, halfWidth: number, halfHeight = halfWidth): Box {
   return { left: x - halfWidth, top: y - halfHeight, right: x + halfWidth, bottom: y + halfHeight }
 }
+
+/** Whether two boxes come nearer to each other than a gap. */
+export function overlap(a: Box, b: Box, gap = 0): boolean {
+  return (
+    a.left < b.right + gap &&
+    b.left < a.right + gap &&
+    a.top < b.bottom + gap &&
+    b.top < a.bottom + gap
+  )
+}

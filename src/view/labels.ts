@@ -1,4 +1,4 @@
-import { clamp } from './geometry.ts'
+import { clamp, overlap } from './geometry.ts'
 import type { Box, Point } from './geometry.ts'
 
 /** A label that wants to stand above a point, like a flag at its pole. */
@@ -9,9 +9,11 @@ export interface Pole {
   readonly height: number
   /** The side of the pole on which the label hangs: 1 to the left, 0 to the right, between them between. */
   readonly lean: number
+  /** Others give way to it where there isn't room for all. */
+  readonly sure: boolean
 }
 
-/** Where a label stands. `aside`: in a further column, not at its pole. */
+/** Where a label stands. `aside`: in a table, not at its pole. */
 export interface Placed extends Box {
   readonly aside: boolean
 }
@@ -25,40 +27,51 @@ const STEEP = 1.2
 /** Of the canvas's edge. */
 const MARGIN = 6
 
-/** How many columns of labels there are at most: a stack too high for the canvas goes on beside itself. */
-const COLUMNS = 4
-
 /**
  * Places labels one after the other, each above its pole's foot and above everything that is in its way: the
  * `obstacles` and the labels before it. In a fixed order labels move as continuously as their poles: none flickers
- * while blocks overtake each other. One for which the canvas has no room is undefined.
+ * while blocks overtake each other. Those for which a stack has no room stand aside, in a table at the canvas's top,
+ * in the `sky` above all ground [px]; one for which that has none either is undefined.
  */
 export function placeLabels(
   poles: readonly Pole[],
   obstacles: readonly Box[],
+  sky: number,
   width: number,
+  aside = new Set<Pole>(),
 ): (Placed | undefined)[] {
+  const placed = new Map<Pole, Placed>()
   const taken = [...obstacles]
-  const step = Math.max(...poles.map((pole) => pole.width)) + 2 * BESIDE
-  return poles.map((pole) => {
-    const side = pole.lean > 0.5 ? -1 : 1
-    for (let column = 0; column < COLUMNS; column++) {
-      const box = raised(pole, side * column * step, taken, width)
-      if (box.top < MARGIN || box.left < 0) continue
-      taken.push(box)
-      return { ...box, aside: column > 0 }
-    }
-    return undefined
-  })
+  let last: Pole | undefined
+  for (const pole of poles) {
+    if (aside.has(pole)) continue
+    if (!pole.sure) last = pole
+    const box = raised(pole, taken, width)
+    // One that is sure of its place takes that of the nearest below it.
+    if (box.top < MARGIN) return placeLabels(poles, obstacles, sky, width, aside.add(last ?? pole))
+    placed.set(pole, box)
+    taken.push(box)
+  }
+  for (const [{ foot }, { top }] of placed)
+    taken.push({ left: foot.x, right: foot.x, top, bottom: foot.y })
+  const widest = Math.max(...poles.map((pole) => pole.width))
+  // In the order in which a stack that has less and less room gives them up: those that are there keep their places.
+  const rest = poles.filter((pole) => aside.has(pole)).reverse()
+  for (const pole of rest.sort((a, b) => +b.sure - +a.sure)) {
+    const box = tabled(pole, widest, taken, sky, width)
+    if (!box) continue
+    placed.set(pole, box)
+    taken.push(box)
+  }
+  return poles.map((pole) => placed.get(pole))
 }
 
 function raised(
   { foot, width, height, lean }: Pole,
-  aside: number,
   taken: readonly Box[],
   canvas: number,
-): Box {
-  const beside = foot.x + aside - lean * (width + BESIDE) + (1 - lean) * BESIDE
+): Placed {
+  const beside = foot.x - lean * (width + BESIDE) + (1 - lean) * BESIDE
   const left = clamp(beside, Math.min(MARGIN, canvas - MARGIN - width), canvas - MARGIN - width)
   const right = left + width
   let bottom = foot.y - 12
@@ -66,8 +79,7 @@ function raised(
     changed = false
     for (const other of taken) {
       const apart = Math.max(other.left - right, left - other.right, 0)
-      // Those that had to go aside stand close together.
-      const limit = other.top - GAP + (aside === 0 ? STEEP * apart : apart > 0 ? Infinity : 0)
+      const limit = other.top - GAP + STEEP * apart
       // What is wholly above is not in the way.
       if (bottom > limit && bottom - height < other.bottom + GAP) {
         bottom = limit
@@ -75,7 +87,28 @@ function raised(
       }
     }
   }
-  return { left, top: bottom - height, right, bottom }
+  return { left, top: bottom - height, right, bottom, aside: false }
+}
+
+/** The first free place of a table that keeps still, in columns from the canvas's upper corners inwards. */
+function tabled(
+  { width, height }: Pole,
+  widest: number,
+  taken: readonly Box[],
+  sky: number,
+  canvas: number,
+): Placed | undefined {
+  const last = canvas - MARGIN - widest
+  for (let inwards = 0; inwards <= last - MARGIN; inwards += widest + BESIDE) {
+    for (const left of [MARGIN + inwards, last - inwards]) {
+      const right = left + width
+      for (let bottom = MARGIN + height; bottom < sky - GAP; bottom += height + GAP) {
+        const box = { left, top: bottom - height, right, bottom, aside: true }
+        if (!taken.some((other) => overlap(box, other, GAP))) return box
+      }
+    }
+  }
+  return undefined
 }
 
 /**

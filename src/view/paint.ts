@@ -1,11 +1,13 @@
 import { actorsOf } from './actors.ts'
+import { drawAngle } from './angleArc.ts'
 import type { Backdrop } from './backdrop.ts'
 import { strokeBody } from './body.ts'
-import { drawCaptions } from './captions.ts'
+import { drawCaptions, placeCaptions } from './captions.ts'
 import { drawFigures, figureBoxes } from './figures.ts'
 import { forceArrows } from './forces.ts'
 import { drawForces } from './forcesDrawing.ts'
 import { around } from './geometry.ts'
+import type { Box } from './geometry.ts'
 import { drawHandles } from './handles.ts'
 import type { Palette } from './palette.ts'
 import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
@@ -26,7 +28,7 @@ export function paint(
   const { layout, projection, handles, figures } = setting
   const { scene, time } = picture
   const actors = actorsOf(picture, layout, projection)
-  backdrop.draw(context, setting, palette, time)
+  const words = backdrop.draw(context, setting, palette, time)
   context.lineJoin = 'round'
   // With the exact block as the last of them there is always one for the spring to hang on.
   const selected = picture.selected === undefined ? undefined : actors[picture.selected]
@@ -42,11 +44,20 @@ export function paint(
   const boxes = figureBoxes(context, figures, layout, palette)
   const room = [...startRoom(picture, layout, projection), ...boxes]
   for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))
-  const arrows = selected ? forceArrows(picture, selected, layout, room) : []
+  const place = (obstacles: readonly Box[]) =>
+    placeCaptions(context, setting, actors, selected, obstacles, palette)
+  const vertical = scene.id === 'fall'
+  // Beside a fall arrows give way to captions, elsewhere captions to arrows.
+  const column = vertical ? place(boxes) : []
+  const taken = [...room, ...words, ...column.map(({ box }) => box)]
+  const arrows = selected ? forceArrows(picture, selected, layout, taken) : []
   for (const arrow of arrows) room.push(arrow.box, ...arrow.room)
-  drawCaptions(context, picture, actors, room, layout, projection, palette)
-  if (physics) drawWords(context, physics, layout, scene.id === 'fall', palette)
+  const letters = [...boxes, ...arrows.map(({ box }) => box)]
+  drawCaptions(context, vertical ? column : place(room), letters, vertical, palette)
+  if (physics) drawWords(context, physics, layout, vertical, palette)
   drawForces(context, arrows, palette)
-  drawFigures(context, figures, boxes, layout, scene.id === 'fall', palette)
+  // An arrow would hide the angle's number.
+  if (arrows[0] && words[0]) drawAngle(context, picture, layout, projection, palette)
+  drawFigures(context, figures, boxes, layout, vertical, palette)
   drawHandles(context, handles, picture, palette)
 }

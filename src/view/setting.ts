@@ -2,6 +2,7 @@ import { figuresOf } from './figures.ts'
 import type { Figure } from './figures.ts'
 import { handlesOf } from './handles.ts'
 import type { Layout } from './layout.ts'
+import { outline } from './outline.ts'
 import type { Handle, Picture } from './picture.ts'
 import { Projection } from './projection.ts'
 
@@ -12,12 +13,20 @@ export interface Setting {
   readonly projection: Projection
   readonly handles: readonly Handle[]
   readonly figures: readonly Figure[]
+  /** Where the highest ground is: above it all is sky [px]. */
+  readonly sky: number
 }
 
 export function settingOf(picture: Picture, layout: Layout): Setting {
   const projection = new Projection(picture.scene, picture.parameters, layout.camera)
-  const handles = handlesOf(picture, layout)
-  return { picture, layout, projection, handles, figures: figuresOf(picture, layout, projection) }
+  return {
+    picture,
+    layout,
+    projection,
+    handles: handlesOf(picture, layout),
+    figures: figuresOf(picture, layout, projection),
+    sky: Math.min(...outline(picture, layout, projection).map(({ y }) => y)),
+  }
 }
 
 /** Whether two pictures differ in nothing but the time and what follows from it. */

@@ -62,7 +62,7 @@ function drawSlack(
   const { left, right, bottom } = slackBox(context, layout, projection, palette)
   context.font = slackFont(layout, palette)
   context.fillStyle = palette.inkSoft
-  write(context, 'slack', (left + right) / 2, bottom, { align: 'center' })
+  write(context, 'slack', (left + right) / 2, bottom, { align: 'center', halo: palette.ground })
 }
 
 /** The room of the word at the mark. */

@@ -1,30 +1,11 @@
 import { expect, test } from 'vitest'
 import { drawAngle } from '../../src/view/angleArc.ts'
-import type { Box } from '../../src/view/geometry.ts'
 import { layOut } from '../../src/view/layout.ts'
-import type { Palette } from '../../src/view/palette.ts'
 import { Projection } from '../../src/view/projection.ts'
 import { drawSlopeAngle, slopeThrough } from '../../src/view/slope.ts'
 import { slackBox } from '../../src/view/spring.ts'
+import { paper, plainPalette as palette } from './paper.ts'
 import { pictureOf } from './pictures.ts'
-
-/** A canvas that keeps where words stand, every letter 8 px wide and 12 px high. */
-function paper() {
-  const words: (Box & { text: string })[] = []
-  const own = {
-    font: '',
-    measureText: (text: string) => ({ width: 8 * text.length }),
-    fillText: (text: string, x: number, y: number) =>
-      words.push({ text, left: x, right: x + 8 * text.length, top: y - 12, bottom: y }),
-  }
-  const context = new Proxy(own, {
-    get: (target, key) => Reflect.get(target, key) ?? (() => undefined),
-    set: () => true,
-  }) as unknown as CanvasRenderingContext2D
-  return { words, context }
-}
-
-const palette = { sans: 'sans' } as Palette
 
 test.each([0, 2, 10, 20, 30, 40])(
   'on a slope of %d° the angle is not written over the spring’s mark',

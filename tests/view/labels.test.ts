@@ -1,13 +1,15 @@
 import { describe, expect, test } from 'vitest'
+import { overlap } from '../../src/view/geometry.ts'
 import type { Box } from '../../src/view/geometry.ts'
 import { placeColumn, placeLabels } from '../../src/view/labels.ts'
 import type { Pole } from '../../src/view/labels.ts'
 
-const pole = (x: number, y: number, lean = 1, width = 100): Pole => ({
+const pole = (x: number, y: number, lean = 1, width = 100, sure = false): Pole => ({
   foot: { x, y },
   width,
   height: 18,
   lean,
+  sure,
 })
 const block = ({ foot }: Pole): Box => ({
   left: foot.x - 25,
@@ -15,8 +17,6 @@ const block = ({ foot }: Pole): Box => ({
   top: foot.y - 3,
   bottom: foot.y + 45,
 })
-const overlap = (a: Box, b: Box) =>
-  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom
 
 /** A small generator: the same cases at every run. */
 function numbers(seed: number): () => number {
@@ -37,7 +37,7 @@ describe('labels on poles', () => {
         ),
       )
       const blocks = poles.map(block)
-      const labels = placeLabels(poles, blocks, width).filter((label) => label !== undefined)
+      const labels = placeLabels(poles, blocks, 150, width).filter((label) => label !== undefined)
       labels.forEach((label, i) => {
         expect(label.left).toBeGreaterThanOrEqual(0)
         expect(label.right).toBeLessThanOrEqual(width)
@@ -51,24 +51,45 @@ describe('labels on poles', () => {
 
   test('blocks in one place have a tidy stack of labels', () => {
     const poles = Array.from({ length: 4 }, () => pole(300, 250))
-    const labels = placeLabels(poles, poles.map(block), 600)
+    const labels = placeLabels(poles, poles.map(block), 150, 600)
     expect(new Set(labels.map((label) => label?.left))).toEqual(new Set([194]))
     const tops = labels.map((label) => label!.top)
     expect(tops.map((top, i) => (i === 0 ? 21 : tops[i - 1]! - top))).toEqual([21, 21, 21, 21])
   })
 
-  test('a stack too high for the canvas goes on beside itself', () => {
-    const poles = Array.from({ length: 8 }, () => pole(300, 100, 1, 50))
-    const labels = placeLabels(poles, poles.map(block), 600)
-    expect(labels.every((label) => label !== undefined)).toBe(true)
-    expect(labels.filter((label) => label!.aside)).toHaveLength(4)
+  test('what a stack has no room for stands in the canvas’s corners, above all ground, and keeps still', () => {
+    let before: (Box | undefined)[] = []
+    for (let y = 140; y > 40; y--) {
+      const poles = Array.from({ length: 8 }, (_, i) => pole(300, y, 1, 50, i === 7))
+      const labels = placeLabels(poles, poles.map(block), 60, 600)
+      expect(labels.every((label) => label !== undefined)).toBe(true)
+      expect(labels[7]!.aside).toBe(false)
+      labels.forEach((label, i) => {
+        if (!label!.aside) return
+        expect(label!.bottom).toBeLessThan(60)
+        if (before[i]) expect(label).toEqual(before[i])
+      })
+      before = labels.map((label) => (label!.aside ? label : undefined))
+    }
+    expect(before.filter((label) => label)).toHaveLength(7)
+  })
+
+  test('there is always a label of what is sure of its place', () => {
+    const random = numbers(3)
+    for (let n = 0; n < 500; n++) {
+      const sure = Math.floor(8 * random())
+      const poles = Array.from({ length: 8 }, (_, i) =>
+        pole(20 + 260 * random(), 60 + 150 * random(), Math.round(random()), 90, i === sure),
+      )
+      expect(placeLabels(poles, poles.map(block), 60, 300)[sure]).toBeDefined()
+    }
   })
 
   test('a label glides as blocks pass each other', () => {
     let before: number | undefined
     for (let x = 100; x < 500; x++) {
       const poles = [pole(300, 250), pole(x, 250)]
-      const { bottom } = placeLabels(poles, poles.map(block), 600)[1]!
+      const { bottom } = placeLabels(poles, poles.map(block), 150, 600)[1]!
       if (before !== undefined) expect(Math.abs(bottom - before)).toBeLessThan(2)
       before = bottom
     }
