@@ -3,6 +3,7 @@ import { defineConfig } from 'vite'
 import type { Plugin } from 'vite'
 import { head } from './src/tutorial/build/head.ts'
 import { tutorial } from './src/tutorial/build/plugin.ts'
+import { flatTemplates } from './vite.templates.ts'
 
 /** What scripts load others by. */
 const helper = '\0vite/preload-helper.js'
@@ -12,7 +13,7 @@ export default defineConfig({
   base: './',
   // A missing file is a 404, not the front page.
   appType: 'mpa',
-  plugins: [tutorial(), preloaded(), sharingWorker(), head()],
+  plugins: [flatTemplates(), tutorial(), preloaded(), sharingWorker(), head()],
   build: {
     target: 'es2022',
     // What does it for every figure would be longer than the wait for one.

@@ -1,5 +1,6 @@
 import { defineConfig } from 'vite'
 import type { Plugin } from 'vite'
+import { flatTemplates } from './vite.templates.ts'
 
 /**
  * The elements for other people's pages as one file beside the page, `dist/slide-lab.js`: with all that it needs, and
@@ -8,7 +9,7 @@ import type { Plugin } from 'vite'
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [withoutWorker(), withOwnNames()],
+  plugins: [flatTemplates(), withoutWorker(), withOwnNames()],
   build: {
     target: 'es2022',
     emptyOutDir: false,

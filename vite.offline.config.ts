@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import { extname, join, resolve } from 'node:path'
 import { defineConfig } from 'vite'
 import type { Plugin } from 'vite'
+import { flatTemplates } from './vite.templates.ts'
 
 const entry = 'virtual:offline'
 
@@ -12,7 +13,7 @@ const entry = 'virtual:offline'
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [scriptsOfThePage(), nothingByAddress(), oneFile()],
+  plugins: [flatTemplates(), scriptsOfThePage(), nothingByAddress(), oneFile()],
   build: {
     target: 'es2022',
     emptyOutDir: false,
