@@ -67,9 +67,9 @@ export const modes = [
     id: 'located',
     label: 'Located',
     about:
-      'Steps along parabolas, and looks for the instant inside the step at which the block stops. Under a constant force all frame rates agree to the last digit; under one that changes, fewer frames end further off.',
+      'Steps along parabolas and finds the instant of each stop. Where the force is constant all frame rates agree to the last digit; where it changes, fewer frames end further off.',
     withoutFriction:
-      'Steps along parabolas, as a block moves under a constant force. Under one, every frame rate agrees with the exact block to the last digit; under one that changes, the fewer frames, the further off.',
+      'Steps along parabolas. Where the force is constant all frame rates agree with the exact block, to the last digit; where it changes, fewer frames end further off.',
     method: {
       timestep: { kind: 'variable' },
       integrator: 'velocity-verlet',
