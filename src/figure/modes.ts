@@ -43,7 +43,7 @@ export const modes = [
     id: 'clamped',
     label: 'Clamped',
     about:
-      'The paper’s step, except that one which would turn the velocity round ends at rest. Nothing trembles any more, and still every frame rate has a stopping place of its own.',
+      'The paper’s step, but one that would turn the velocity round ends at rest. Nothing trembles any more; still every frame rate has a stopping place of its own.',
     withoutFriction:
       'The paper’s step with stops mended. Without friction nothing stops, so nothing changes: every frame rate still ends at a place of its own.',
     method: {
