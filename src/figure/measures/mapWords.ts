@@ -1,15 +1,21 @@
-import { rateAt, REFERENCE_RATE, ROUNDING, valueAt } from '../../measure/index.ts'
+import {
+  mappedExperiment,
+  rateAt,
+  REFERENCE_RATE,
+  ROUNDING,
+  stableRate,
+  valueAt,
+} from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
-import { scenes } from '../../physics/index.ts'
-import type { NumberOption, Scene } from '../../physics/index.ts'
+import type { NumberOption } from '../../physics/index.ts'
 import { plain } from '../../view/numbers.ts'
 import type { Cell, MapCells } from './mapCells.ts'
+import { parametersOf } from './mapWish.ts'
 import { metresText, roughSize } from './scale.ts'
 
 /** The parameter that a map is drawn over. */
 export function mappedOption({ experiment, parameter }: MapRequest): NumberOption {
-  const scene: Scene = scenes.find(({ id }) => id === experiment.scene)!
-  return scene.parameters[parameter]!
+  return parametersOf(experiment)[parameter]!
 }
 
 /** “Angle 15°”. */
@@ -45,6 +51,15 @@ export function cellWords({ kind, value }: Cell, { of }: MapRequest): string {
     case 'pending':
       return 'is not measured yet'
   }
+}
+
+/** What theory says of the runs on the map, where it says something. */
+export function limitWords(request: MapRequest): string {
+  const rate = stableRate(mappedExperiment(request, 0, request.rows - 1))
+  if (rate === undefined) return ''
+  if (rate === Infinity) return 'Theory: blows up at every frame rate, sooner or later'
+  if (rate === 0) return 'Theory: blows up at none'
+  return 'Theory, without friction: blows up left of this line'
 }
 
 /** The whole map in a few sentences. */
