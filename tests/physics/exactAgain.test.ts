@@ -4,6 +4,12 @@ import { exact, simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { last } from './truth.ts'
 
+/** 17° of 30° are left at 0.34 m of the bend, whose tangent is 0.31. */
+const onTheBend = {
+  ...{ angle: 30, length: 4, bendRadius: 1.5 },
+  ...{ position: 4.34, speed: 0, muKinetic: 0.05 },
+}
+
 const cases: [string, Experiment][] = [
   [
     'lets go in a pipe where tan θ is above μs, though sin θ is below',
@@ -17,16 +23,7 @@ const cases: [string, Experiment][] = [
     'lets go on the bend of a run-out, by the slope that is there',
     {
       scene: 'run-out',
-      // 17° of 30° are left at 0.34 m, whose tangent is 0.31.
-      parameters: {
-        angle: 30,
-        length: 4,
-        bendRadius: 1.5,
-        position: 4.34,
-        speed: 0,
-        muStatic: 0.29,
-        muKinetic: 0.05,
-      },
+      parameters: { ...onTheBend, muStatic: 0.29 },
       duration: 1.5,
     },
   ],
@@ -34,15 +31,7 @@ const cases: [string, Experiment][] = [
     'holds on the bend of a run-out, by the slope that is there',
     {
       scene: 'run-out',
-      parameters: {
-        angle: 30,
-        length: 4,
-        bendRadius: 1.5,
-        position: 4.34,
-        speed: 0,
-        muStatic: 0.33,
-        muKinetic: 0.05,
-      },
+      parameters: { ...onTheBend, muStatic: 0.33 },
       duration: 1.5,
     },
   ],
