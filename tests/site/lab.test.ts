@@ -132,3 +132,33 @@ test('one block alone is apart from nothing: the spread is a dash, not a promise
   expect(await spread()).toBe('–')
   expect(problems).toEqual([])
 })
+
+test('the large number is of frame rates only where the blocks differ in nothing else', async () => {
+  const { page, runner } = await openLab()
+  const label = page.locator('.spread span').first()
+  expect(await label.innerText()).toBe('frame-rate spread')
+  await runner(0).getByRole('combobox', { name: 'Integrator' }).selectOption('rk4')
+  await expect.poll(() => label.innerText()).toBe('apart at the end')
+  // One that is not seen is not compared.
+  await runner(0).getByRole('button', { name: /^Hide/ }).click()
+  await expect.poll(() => label.innerText()).toBe('frame-rate spread')
+})
+
+test.each([320, 390, 768, 1440])(
+  'at %i px none of the five buttons moves the picture',
+  async (width) => {
+    const { page } = await openLab('', { width })
+    const top = () =>
+      page
+        .locator('slide-stage')
+        .evaluate((stage) => Math.round(stage.getBoundingClientRect().top + scrollY))
+    const before = await top()
+    const buttons = page.locator('.modes button')
+    expect(await buttons.count()).toBe(5)
+    for (const button of await buttons.all()) {
+      await button.click()
+      await expect.poll(() => button.getAttribute('aria-pressed')).toBe('true')
+      expect(await top()).toBe(before)
+    }
+  },
+)

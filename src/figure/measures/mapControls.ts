@@ -9,7 +9,7 @@ import { parametersOf } from './mapWish.ts'
 import type { MapWish } from './mapWish.ts'
 import type { Measuring } from './measuring.ts'
 import { progress } from './progress.ts'
-import { segments } from './segments.ts'
+import { segments } from '../segments.ts'
 
 const shown = [
   { id: 'error', label: 'Error' },

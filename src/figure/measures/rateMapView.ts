@@ -17,7 +17,7 @@ import { mapRequest, parameterFor } from './mapWish.ts'
 import type { MapWish } from './mapWish.ts'
 import { cellWords, limitWords, placeText, summary } from './mapWords.ts'
 import { Measuring } from './measuring.ts'
-import { tableFold } from './tableFold.ts'
+import { tableFold } from '../tableFold.ts'
 
 /**
  * A map of a method's error over frame rates and a parameter, measured while it can be seen.

@@ -21,10 +21,10 @@ import type { Measured } from './loading.ts'
 import { Measuring } from './measuring.ts'
 import type { DiagramPoint } from './points.ts'
 import { progress } from './progress.ts'
-import { segments } from './segments.ts'
+import { segments } from '../segments.ts'
 import { spotChoice, spotNamed } from './spotChoice.ts'
 import { Curves, curvesAt, missing, sweepRequest } from './sweptCurves.ts'
-import { tableFold } from './tableFold.ts'
+import { tableFold } from '../tableFold.ts'
 
 /**
  * Speed against error: what each method costs in a scene, and the error that this buys, measured while it can be seen.

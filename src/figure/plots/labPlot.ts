@@ -4,6 +4,7 @@ import type { Palette } from '../../view/palette.ts'
 import type { Simulated } from '../simulation.ts'
 import type { Playback } from '../playback.ts'
 import { pointIn } from '../pointIn.ts'
+import { tableFold } from '../tableFold.ts'
 import { onThemeChange } from '../theme.ts'
 import { boxOf } from './box.ts'
 import { drawChart } from './chart.ts'
@@ -37,7 +38,6 @@ export class LabPlot extends LitElement {
     hover: { attribute: false },
     selected: { attribute: false },
     told: { state: true },
-    listed: { state: true },
     near: { state: true },
   }
 
@@ -53,9 +53,9 @@ export class LabPlot extends LitElement {
   declare point: (time: number | undefined) => void
   /** The readings in words, for those who moved the cursor from here. */
   declare private told: string
-  declare private listed: boolean
   /** Whether it has come near the window. */
   declare private near: boolean
+  private readonly fold = tableFold(this)
   private readonly colours = new PaletteReader(this)
   private drawing: Drawing | undefined
   private drawn: unknown[] = []
@@ -76,7 +76,6 @@ export class LabPlot extends LitElement {
   constructor() {
     super()
     this.told = ''
-    this.listed = false
     this.near = false
   }
 
@@ -152,12 +151,7 @@ export class LabPlot extends LitElement {
       </div>
       ${plotValues(kind, simulated, readings, this.writeOut)}
       <output class="visually-hidden">${this.told}</output>
-      <details
-        @toggle=${(event: Event) => (this.listed = (event.target as HTMLDetailsElement).open)}
-      >
-        <summary>As a table<span class="visually-hidden">: ${title}</span></summary>
-        ${this.listed ? plotTable(kind, simulated) : nothing}
-      </details>
+      ${this.fold(title, () => plotTable(kind, simulated))}
     </figure>`
   }
 

@@ -1,5 +1,6 @@
 import { html, LitElement } from 'lit'
 import { fixed } from '../../view/numbers.ts'
+import { segments } from '../segments.ts'
 import type { Simulated } from '../simulation.ts'
 import type { Playback } from '../playback.ts'
 import { plotKinds } from './kinds.ts'
@@ -62,18 +63,12 @@ export class LabPlots extends LitElement {
           >
         </p>
       </header>
-      <div class="segments" role="group" aria-label="Which plot">
-        ${plotKinds.map(
-          ({ id, title }) =>
-            html`<button
-              type="button"
-              aria-pressed=${id === chosen}
-              @click=${() => (this.chosen = id)}
-            >
-              ${title}
-            </button>`,
-        )}
-      </div>
+      ${segments({
+        label: 'Which plot',
+        list: plotKinds.map(({ id, title }) => ({ id, label: title })),
+        chosen,
+        pick: ({ id }) => (this.chosen = id),
+      })}
       <div class="multiples">
         ${plotKinds.map(
           (kind) =>
