@@ -44,13 +44,15 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const direction = sinCos(slope)
   const along = { x: direction.cos, y: -direction.sin }
   const across = { x: direction.sin, y: direction.cos }
-  const motion = new Motion(law, s, v)
-  motion.feel()
-  const { drive, press } = motion
+  const motion = new Motion(law, s, v, true)
+  // Without a direction of sliding there is no friction in the acceleration.
+  motion.slip = 0
+  const drive = motion.acceleration(s, v)
+  const press = motion.weight + v * v * motion.curvature
   // A rule that goes by the sign of v alone knows no friction where v is 0.
   const atRest = v === 0 && entry(stoppings, stopping).holdsSlip
-  const held = atRest && law.muStatic > 0 && Math.abs(drive) <= law.muStatic * press
-  const slip = Math.sign(atRest ? drive : v)
+  const held = atRest && law.muStatic > 0 && !motion.setsOff()
+  const slip = atRest ? motion.slip : Math.sign(v)
   // #region vectors
   const gravity = { x: 0, y: -law.mass * parameters.gravity! }
   const normal = times(law.mass * press, across)

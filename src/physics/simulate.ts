@@ -1,8 +1,6 @@
+import { limits } from './experiment.ts'
 import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
-import type { FrameClock } from './frameClock.ts'
-import { frameClocks } from './frames/index.ts'
-import { entry } from './lists.ts'
 import { parseExperiment } from './parse.ts'
 import { Run } from './run.ts'
 import { Recorder } from './trajectory.ts'
@@ -25,16 +23,14 @@ export function createRun(experiment: Experiment): Run {
  */
 export function simulate(experiment: Experiment): Trajectory {
   const resolved = parseExperiment(experiment)
-  const clock: FrameClock = entry(frameClocks, resolved.frames.kind)
-  const expected = clock.frames(resolved.frames as never, resolved.duration)
-  // Rounding does not make a frame more of a whole number of them.
-  const recorder = new Recorder(Math.ceil(expected * (1 - 1e-9)) + 1)
   const loop = new FrameLoop(resolved)
-  recorder.record(loop.run)
-  while (loop.goesOn) {
-    loop.row(recorder)
-    loop.next()
-    recorder.record(loop.run)
+  const { run } = loop
+  const recorder = new Recorder(loop.expectedFrames + 1)
+  recorder.record(run)
+  while (loop.next()) {
+    // What no forecast of the work has seen coming, such as a step cut into thousands.
+    if (run.evaluations > limits.evaluations) run.abandon()
+    recorder.record(run)
   }
-  return recorder.trajectory(resolved, loop.run)
+  return recorder.trajectory(resolved, run)
 }

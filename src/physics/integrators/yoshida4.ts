@@ -1,5 +1,5 @@
 import type { Integrator } from '../integrator.ts'
-import type { Motion } from '../motion.ts'
+import { velocityVerlet } from './velocityVerlet.ts'
 
 const CUBE_ROOT_OF_2 = 1.2599210498948732
 const OUTER = 1 / (2 - CUBE_ROOT_OF_2)
@@ -19,33 +19,12 @@ export const yoshida4 = {
   symplectic: true,
   evaluations: { least: 3, most: 6 },
   colour: 5,
-  step(motion: Motion): void {
-    const { reusable } = motion
-    let { s, v } = motion
-    if (motion.known === 0) motion.a = motion.acceleration(s, v)
-    let { a } = motion
-    let first = a
-    let taken = 0
-    for (;;) {
-      const outer = OUTER * motion.dt
-      const inner = INNER * motion.dt
-      first = a
-      // The first part stands by itself: engines run a loop of two better than one of three.
-      let before = a
-      s = s + (v + 0.5 * before * outer) * outer
-      a = motion.acceleration(s, v + before * outer)
-      v = v + 0.5 * (before + a) * outer
-      for (let part = inner; ; part = outer) {
-        if (reusable === 0) a = motion.acceleration(s, v)
-        before = a
-        s = s + (v + 0.5 * before * part) * part
-        a = motion.acceleration(s, v + before * part)
-        v = v + 0.5 * (before + a) * part
-        if (part === outer) break
-      }
-      if (!motion.goesOn(s, v, ++taken)) break
-      if (reusable === 0) a = motion.acceleration(s, v)
+  step: (motion) => {
+    const { dt } = motion
+    for (let part = 0; part < 3; part++) {
+      motion.dt = (part === 1 ? INNER : OUTER) * dt
+      velocityVerlet.step(motion)
     }
-    motion.a = motion.taken < motion.asked ? first : a
+    motion.dt = dt
   },
 } as const satisfies Integrator

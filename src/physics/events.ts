@@ -1,0 +1,135 @@
+import type { Integrator } from './integrator.ts'
+import type { Motion } from './motion.ts'
+
+/** What ends a step early: the block turns (v = 0), or comes to the end of its piece of track. */
+type Event = 'turn' | 'joint'
+
+const MOST_HALVINGS = 60
+const MOST_ITERATIONS = 100
+// What rounding may leave of a residual whose terms have a size of one: the few hundred operations of a step each add an ulp.
+const ROUNDING = 1000 * Number.EPSILON
+
+/**
+ * Takes a step of `motion.dt`, or one that is shortened to end at the first event inside: at v = 0 exactly, or at the
+ * joint exactly. Leaves in `motion.dt` how long it was. Where no such step can be found the motion ends as diverged.
+ */
+// #region event
+export function stepToEvent(motion: Motion, integrator: Integrator): void {
+  // No step is so long that the law is another at its end, or that it holds two turns.
+  const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
+  if (changes > 1) motion.dt /= Math.ceil(changes)
+  integrator.step(motion)
+  for (let i = 0; !isPlausible(motion); i++) {
+    if (i === MOST_HALVINGS) return motion.end('diverged')
+    retake(motion, integrator, 0.5 * motion.dt)
+  }
+  const { dt, slip, turnMatters } = motion
+  if (slip * motion.v < 0 && (turnMatters || mayReachEnd(motion))) {
+    const comesBack = motion.s < motion.from || motion.s > motion.to
+    if (!locate('turn', motion, integrator)) return motion.end('diverged')
+    if (residual('joint', motion) >= 0) {
+      if (turnMatters || comesBack) motion.stop()
+      else retake(motion, integrator, dt)
+      return
+    }
+  }
+  // Of a turn and a joint the joint comes first: before a turn the block slides one way.
+  if (residual('joint', motion) >= 0) return
+  if (!locate('joint', motion, integrator)) return motion.end('diverged')
+  motion.s = slip > 0 ? motion.to : motion.from
+}
+// #endregion
+
+/** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m]. */
+function residual(event: Event, { s, v, slip, from, to }: Motion): number {
+  if (event === 'turn') return slip * v
+  return slip > 0 ? to - s : s - from
+}
+
+/** Takes the step again, now of `dt` seconds. */
+function retake(motion: Motion, integrator: Integrator, dt: number): void {
+  motion.rewind()
+  motion.dt = dt
+  integrator.step(motion)
+}
+
+/** Whether a trial ended no faster and no farther than its start can pay for, twice over: not a step that went wild. */
+function isPlausible(motion: Motion): boolean {
+  const { s, v, dt, startS, curvature, stiffness } = motion
+  if (curvature === 0 && stiffness === 0) return true
+  const most = 2 * fastest(motion)
+  return Math.abs(v) <= most && Math.abs(s - startS) <= most * dt
+}
+
+/** The speed that the energy at the start of the step and the forces in it can give at the most [m/s]. */
+function fastest({ startS, startV, dt, stiffness, tangential, weight, muKinetic, law }: Motion) {
+  if (stiffness === 0) return Math.abs(startV) + law.gravity * dt
+  // The amplitude of the swing, by the distance from where spring, gravity and friction balance.
+  const force = Math.abs(tangential - stiffness * startS) + muKinetic * weight
+  return Math.abs(startV) + force / Math.sqrt(stiffness)
+}
+
+/** Whether a block that nothing resists may have been over the end of its piece before it turned, or is now. */
+function mayReachEnd(motion: Motion): boolean {
+  const { s, startS, dt, slip, from, to } = motion
+  const ahead = slip > 0 ? to - startS : startS - from
+  return ahead <= fastest(motion) * dt || s < from || s > to
+}
+
+/**
+ * Shortens a step that went past an event so that it ends there: finds the length for which the integrator's own step
+ * from the same start ends at the event to rounding. Returns whether it has found a root.
+ *
+ * Regula falsi in the form of Anderson and Björck (1973), which keeps the root bracketed, with a bisection now and then
+ * so that the bracket is sure to close. Its tolerance comes from the state at the start alone.
+ */
+function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
+  let late = motion.dt
+  let after = residual(event, motion)
+  motion.rewind()
+  let early = 0
+  let before = residual(event, motion)
+  const size = event === 'turn' ? 0 : Math.abs(motion.slip > 0 ? motion.to : motion.from)
+  const small = Number.EPSILON * Math.max(size, before)
+  const limit = ROUNDING * Math.max(size, before, event === 'turn' ? fastest(motion) : 0)
+  // A block that has just set off is at v = 0 to begin with: the turn is the one after that.
+  for (let i = 0; before <= 0; i++) {
+    if (i === MOST_HALVINGS) return false
+    retake(motion, integrator, 0.5 * late)
+    const here = residual(event, motion)
+    if (here > 0) {
+      early = motion.dt
+      before = here
+    } else {
+      late = motion.dt
+      after = here
+    }
+  }
+  let lastSide = 0
+  for (let i = 1; i <= MOST_ITERATIONS; i++) {
+    let length = early + ((late - early) * before) / (before - after)
+    if (i % 8 === 0 || !(length > early && length < late)) length = early + 0.5 * (late - early)
+    retake(motion, integrator, length)
+    const here = residual(event, motion)
+    if (Math.abs(here) <= small) return true
+    if (late - early <= Number.EPSILON * late) return Math.abs(here) <= limit
+    // The end that stays while the other moves twice is given less weight, so that it moves next.
+    if (here > 0) {
+      if (lastSide > 0) after *= lessWeight(here, before)
+      early = length
+      before = here
+      lastSide = 1
+    } else {
+      if (lastSide < 0) before *= lessWeight(here, after)
+      late = length
+      after = here
+      lastSide = -1
+    }
+  }
+  return false
+}
+
+function lessWeight(here: number, before: number): number {
+  const factor = 1 - here / before
+  return factor > 0 ? factor : 0.5
+}
