@@ -1,3 +1,4 @@
+import { compareCheckouts } from './against/index.ts'
 import { beChild } from './child.ts'
 import { measure } from './measure.ts'
 import { readReport, writeReport } from './write.ts'
@@ -13,6 +14,8 @@ const tell = (what: string) =>
   process.stderr.write(`${performance.now().toFixed(0).padStart(7)} ms  ${what}\n`)
 
 if (command === 'task') await beChild(options[0]!, options[1]!)
+else if (command === 'bench' && options[0] === '--against')
+  console.log(await compareCheckouts(options[1]!, tell))
 else if (command === 'bench')
   console.log(terminalText({ ...(await measure(quick, tell)), diagrams: [] }))
 else if (command === 'redraw') await writeReport(readReport(), tell)

@@ -1,4 +1,4 @@
-import { createRun, integrators, scenes, simulate, stoppings, timesteps } from '../physics/index.ts'
+import * as physics from '../physics/index.ts'
 import type { Described, IntegratorId, Options, Timestep } from '../physics/index.ts'
 import { bareLoops, inFrames, inSeconds } from './bare/index.ts'
 import type { BareLoop, Trial } from './bare/index.ts'
@@ -27,7 +27,7 @@ const COUNTED_STEPS = 1e6
 export function steppingWork(trial: Trial, integrator: IntegratorId, many = 1): Work {
   const experiment = inSeconds(trial, integrator)
   const seconds = Math.round(trial.steps / trial.fps)
-  const start = () => Array.from({ length: many }, () => createRun(experiment))
+  const start = () => Array.from({ length: many }, () => physics.createRun(experiment))
   let runs = start()
   return {
     units: many * trial.steps,
@@ -51,7 +51,7 @@ export function recordingWork(trial: Trial, integrator: IntegratorId): Work {
   return {
     units: trial.steps,
     run: () => {
-      const { s } = simulate(experiment)
+      const { s } = physics.simulate(experiment)
       return s[s.length - 1]!
     },
   }
@@ -67,21 +67,32 @@ export function timeAlone(scene: string, integrator: string, care: Care): TrialT
 
 /** Times every scene with these methods, in a process whose call sites have seen everything. */
 export function timeMixed(methods: readonly string[], care: Care): TrialTimes[] {
-  meetEverything()
+  meetEverything(physics)
   return timeTrials(
     bareLoops.filter(({ integrator }) => methods.includes(integrator)),
     care,
   )
 }
 
-/** Runs all scenes, methods, rules and policies, so that the call sites of this process have seen them. */
-export function meetEverything(): void {
+/** Runs all scenes, methods, rules and policies of a physics module, so that its call sites have seen them. */
+export function meetEverything({
+  createRun,
+  integrators,
+  scenes,
+  simulate,
+  stoppings,
+  timesteps,
+}: typeof physics): void {
   for (let round = 0; round < 3; round++)
     for (const { id: scene } of scenes)
       for (const { id: integrator } of integrators)
         for (const { id: stopping } of stoppings)
-          for (const timestep of timesteps)
-            simulate({ scene, integrator, stopping, timestep: initially(timestep), duration: 1 })
+          for (const timestep of timesteps) {
+            const method = { scene, integrator, stopping, timestep: initially(timestep) }
+            simulate({ ...method, duration: 1 })
+            const run = createRun(method)
+            for (let frame = 0; frame < 60; frame++) run.frame(1 / 60)
+          }
 }
 
 /** A policy with its options as the lab has them at first. */

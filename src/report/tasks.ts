@@ -1,4 +1,6 @@
 import type { IntegratorId } from '../physics/index.ts'
+import * as physics from '../physics/index.ts'
+import { compareModules } from './against/measure.ts'
 import { bareLoops } from './bare/index.ts'
 import { frameParts, recordingParts } from './breakdown.ts'
 import { ourCurve } from './frontiers/ours.ts'
@@ -13,6 +15,8 @@ import type { Care } from './timing/rounds.ts'
 
 /** What is measured in a process of its own, so that its call sites have seen nothing else. */
 export const tasks = {
+  against: compareModules,
+
   alone: ({ scene, integrator, care }: { scene: string; integrator: string; care: Care }) =>
     timeAlone(scene, integrator, care),
 
@@ -45,7 +49,7 @@ export const tasks = {
 
   profile: (profiled: Profiled) => {
     const { scene, integrator, trial, mixed } = profiled
-    if (mixed) meetEverything()
+    if (mixed) meetEverything(physics)
     const { loop, timed } = trialOf(profiled)
     const what = `${stepName({ scene, integrator, trial })}, ${mixed ? 'mixed' : 'alone'}`
     return profileOf(what, steppingWork(timed, loop.integrator))
