@@ -19,16 +19,31 @@ export function stepToEvent(motion: Motion, integrator: Integrator): void {
   const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
   if (changes > 1) motion.dt /= Math.ceil(changes)
   integrator.step(motion)
+  if (hasTurned(motion) || isOutside(motion)) shortenToEvent(motion, integrator)
+}
+// #endregion
+
+function hasTurned({ v, slip }: Motion): boolean {
+  return slip > 0 ? v < 0 : v > 0
+}
+
+function isOutside({ s, from, to }: Motion): boolean {
+  return s > to || s < from
+}
+
+/** Ends a step that an event lies in at the first event; where it can't be trusted, the step is halved instead. */
+function shortenToEvent(motion: Motion, integrator: Integrator): void {
   for (let i = 0; !isPlausible(motion); i++) {
     if (i === MOST_HALVINGS) return motion.end('diverged')
     retake(motion, integrator, 0.5 * motion.dt)
   }
   const { dt, slip, turnMatters } = motion
-  if (slip * motion.v < 0 && (turnMatters || mayReachEnd(motion))) {
-    const comesBack = motion.s < motion.from || motion.s > motion.to
+  const outside = isOutside(motion)
+  if (hasTurned(motion) && (turnMatters || outside || mayReachEnd(motion))) {
     if (!locate('turn', motion, integrator)) return motion.end('diverged')
     if (residual('joint', motion) >= 0) {
-      if (turnMatters || comesBack) motion.stop()
+      // Where neither friction nor an end makes it matter, a turn is part of a step like any other.
+      if (turnMatters || outside) motion.stop()
       else retake(motion, integrator, dt)
       return
     }
@@ -38,7 +53,6 @@ export function stepToEvent(motion: Motion, integrator: Integrator): void {
   if (!locate('joint', motion, integrator)) return motion.end('diverged')
   motion.s = slip > 0 ? motion.to : motion.from
 }
-// #endregion
 
 /** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m]. */
 function residual(event: Event, { s, v, slip, from, to }: Motion): number {
@@ -62,18 +76,17 @@ function isPlausible(motion: Motion): boolean {
 }
 
 /** The speed that the energy at the start of the step and the forces in it can give at the most [m/s]. */
-function fastest({ startS, startV, dt, stiffness, tangential, weight, muKinetic, law }: Motion) {
+function fastest({ startS, startV, dt, stiffness, tangential, weight, law }: Motion) {
   if (stiffness === 0) return Math.abs(startV) + law.gravity * dt
   // The amplitude of the swing, by the distance from where spring, gravity and friction balance.
-  const force = Math.abs(tangential - stiffness * startS) + muKinetic * weight
+  const force = Math.abs(tangential - stiffness * startS) + law.muKinetic * weight
   return Math.abs(startV) + force / Math.sqrt(stiffness)
 }
 
-/** Whether a block that nothing resists may have been over the end of its piece before it turned, or is now. */
+/** Whether a block that nothing resists may have been over the end of its piece before it turned. */
 function mayReachEnd(motion: Motion): boolean {
-  const { s, startS, dt, slip, from, to } = motion
-  const ahead = slip > 0 ? to - startS : startS - from
-  return ahead <= fastest(motion) * dt || s < from || s > to
+  const { startS, dt, slip, from, to } = motion
+  return (slip > 0 ? to - startS : startS - from) <= fastest(motion) * dt
 }
 
 /**

@@ -46,9 +46,9 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const across = { x: direction.sin, y: direction.cos }
   const motion = new Motion(law, s, v, true)
   // Without a direction of sliding there is no friction in the acceleration.
-  motion.slip = 0
+  motion.slide(0)
   const drive = motion.acceleration(s, v)
-  const press = motion.weight + v * v * motion.curvature
+  const press = motion.weight + motion.curvature * (v * v)
   // A rule that goes by the sign of v alone knows no friction where v is 0.
   const atRest = v === 0 && entry(stoppings, stopping).holdsSlip
   const held = atRest && law.muStatic > 0 && !motion.setsOff()

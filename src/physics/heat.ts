@@ -1,7 +1,10 @@
 import type { Motion } from './motion.ts'
 
 /** What resists the motion at one end of a step, per mass, and its first three derivatives by the distance. */
-class Resistance {
+export class Resistance {
+  /** Where, and at which speed [m, m/s]; NaN where nothing is known yet. */
+  s = NaN
+  v = NaN
   /** [m/s²] */
   force = NaN
   first = NaN
@@ -9,32 +12,36 @@ class Resistance {
   third = NaN
 }
 
-const start = new Resistance()
-const end = new Resistance()
-
 /**
- * Adds the heat of the step from the beginning noted to the present state: the force of friction and drag times the
- * distance, and never what the energy has lost. Where the force is not the same all along, its integral comes from its
- * values and derivatives at both ends (Hermite's two-point formula), which is of the eighth order, as the best method is.
+ * Adds the heat of the step from the beginning noted to the present state, on a bend or in air: the force of friction and
+ * drag times the distance, and never what the energy has lost. The integral comes from the force and its derivatives at
+ * both ends (Hermite's two-point formula); it is of the eighth order, as the best method is.
  */
 export function addHeat(motion: Motion): void {
-  const { startS, s, muKinetic, drag, curvature, law } = motion
+  const { startS, startV, s, v, drag, curvature, law } = motion
+  const { muKinetic } = law
   if (muKinetic === 0 && drag === 0) return
-  const h = s - startS
-  if (curvature === 0 && drag === 0) {
-    motion.heat += law.mass * muKinetic * motion.weight * Math.abs(h)
-    return
+  const start = motion.resistance
+  const end = motion.nextResistance
+  if (start.s !== startS || start.v !== startV) {
+    start.s = startS
+    start.v = startV
+    resist(motion, start)
   }
-  resistanceAt(motion, startS, motion.startV, start)
-  resistanceAt(motion, s, motion.v, end)
-  let work = 0.5 * (start.force + end.force)
+  end.s = s
+  end.v = v
+  resist(motion, end)
+  const h = s - startS
+  let mean = 0.5 * (start.force + end.force)
   // On steps so long that the force has changed altogether, derivatives say nothing of what lies between.
   if (Math.abs(h) * (Math.abs(curvature) * (1 + 2 * muKinetic) + 2 * drag) < 1)
-    work +=
-      h *
-      ((3 / 28) * (start.first - end.first) +
-        h * ((1 / 84) * (start.second + end.second) + h * (1 / 1680) * (start.third - end.third)))
-  motion.heat += law.mass * Math.abs(h * work)
+    mean +=
+      h * (3 / 28) * (start.first - end.first) +
+      h * h * ((1 / 84) * (start.second + end.second) + h * (1 / 1680) * (start.third - end.third))
+  motion.heat += law.mass * Math.abs(h * mean)
+  // This step's end is the next one's start.
+  motion.resistance = end
+  motion.nextResistance = start
 }
 
 /**
@@ -44,16 +51,18 @@ export function addHeat(motion: Motion): void {
  *
  * so that each derivative of R follows from the one before.
  */
-function resistanceAt(motion: Motion, s: number, v: number, at: Resistance): void {
-  const { slip, muKinetic, drag, stiffness, curvature } = motion
-  if (curvature !== 0) motion.turnTo(s)
+function resist(motion: Motion, at: Resistance): void {
+  const { slip, drag, stiffness, curvature, law } = motion
+  if (curvature !== 0) {
+    motion.atS = at.s
+    motion.turn()
+  }
   const { tangential, weight } = motion
-  const perK = 2 * (muKinetic * curvature + drag)
-  const bend = muKinetic * curvature
-  at.force = muKinetic * weight + 0.5 * perK * v * v
-  at.first = bend * tangential + perK * (tangential - stiffness * s - slip * at.force)
+  const bend = law.muKinetic * curvature
+  const perK = 2 * (bend + drag)
+  const square = curvature * curvature
+  at.force = law.muKinetic * weight + 0.5 * perK * at.v * at.v
+  at.first = bend * tangential + perK * (tangential - stiffness * at.s - slip * at.force)
   at.second = -bend * curvature * weight - perK * (curvature * weight + stiffness + slip * at.first)
-  at.third =
-    -bend * curvature * curvature * tangential -
-    perK * (curvature * curvature * tangential + slip * at.second)
+  at.third = -bend * square * tangential - perK * (square * tangential + slip * at.second)
 }

@@ -1,10 +1,12 @@
+import { Resistance } from './heat.ts'
 import { holds } from './holds.ts'
+import { FAR } from './law.ts'
 import type { Law } from './law.ts'
 import type { Piece } from './track.ts'
 import { SinCos } from './trigonometry.ts'
 
-/** Is told of each evaluation of the acceleration, in order to show it. */
-export type Observer = (s: number, v: number, a: number) => void
+/** Is told of each evaluation of the acceleration, at `atS` and `atV`. */
+export type Observer = (motion: Motion) => void
 
 /**
  * A block on a track: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and the law that moves it.
@@ -19,6 +21,8 @@ export class Motion {
   /** How far into the step that the timestep policy asked for the motion has got [s]. */
   elapsed = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
+  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
+  moving = true
   /** Energy that friction and drag have turned into heat [J]. */
   heat = NaN
   /** How often the acceleration was evaluated. */
@@ -46,43 +50,52 @@ export class Motion {
   /** Stiffness and drag per mass [1/s², 1/m]. */
   stiffness = NaN
   drag = NaN
-  muKinetic = NaN
+  /** A speed that only a step which has lost its stability reaches [m/s]. */
+  readonly speedLimit: number
+  /** The slip direction times the coefficient of kinetic friction. */
+  friction = NaN
   /** A stop changes the force, or how it changes: friction or drag acts. */
   turnMatters = false
+  /** The acceleration is the same all along the piece: gravity and friction on a straight, and nothing else [m/s²]. */
+  private isSteady = false
+  private steady = NaN
+  /** Something about the law is not the same all along the piece: `vary` finds it. */
+  private varies = false
+  /** Where the acceleration is evaluated. */
+  atS = NaN
+  atV = NaN
   // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
   rate = NaN
   ratePerSpeed = NaN
+  /** The force of friction on a straight, with the mass [N]; NaN where what resists is not the same all along. */
+  rubbing = NaN
+  /** What resisted at the end of the last step, and room for the end of this one. */
+  resistance = new Resistance()
+  nextResistance = new Resistance()
 
   /** The state at which the step began, to which `rewind` returns. */
   startS = NaN
   startV = NaN
-  private startA = NaN
-  private startKnown = false
   private startUnsolved = 0
 
   readonly law: Law
-  observer: Observer | undefined
+  private observer: Observer | undefined
   private piece: Piece
   private readonly direction = new SinCos()
 
   constructor(law: Law, s: number, v: number, slipHeld: boolean) {
     this.law = law
+    this.speedLimit = law.speedLimit
     this.slipHeld = slipHeld
     this.stiffness = law.stiffness
     this.drag = law.drag
-    this.muKinetic = law.muKinetic
     this.turnMatters = law.muStatic > 0 || law.drag > 0
     this.piece = law.track[0]!
     this.s = s
     this.v = v
     this.heat = this.elapsed = 0
-    this.slip = v > 0 ? 1 : v < 0 ? -1 : 0
+    this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
     this.enterPiece()
-  }
-
-  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
-  get moving(): boolean {
-    return this.outcome === 'moving'
   }
 
   /**
@@ -91,24 +104,48 @@ export class Motion {
    */
   acceleration(s: number, v: number): number {
     this.evaluations++
-    if (this.curvature !== 0) this.turnTo(s)
+    if (this.isSteady) return this.steady
+    if (this.varies) {
+      this.atS = s
+      this.atV = v
+      this.vary()
+    }
     // #region law
     const drive = this.tangential - this.stiffness * s - this.drag * v * Math.abs(v)
-    const press = this.weight + v * v * this.curvature
-    const slip = this.slipHeld ? this.slip : v > 0 ? 1 : v < 0 ? -1 : 0
-    const a = drive - slip * this.muKinetic * press
+    const press = this.weight + this.curvature * (v * v)
+    return drive - this.friction * press
     // #endregion
-    if (this.observer !== undefined) this.observer(s, v, a)
-    return a
   }
 
-  /** Sets `tangential` and `weight` to what gravity comes to at a distance along a bend. */
-  turnTo(s: number): void {
+  /** Sets what is not the same all along the piece of track to what it is at `atS` and `atV`. */
+  private vary(): void {
+    if (this.curvature !== 0) this.turn()
+    if (!this.slipHeld) this.slide(this.atV > 0 ? 1 : this.atV < 0 ? -1 : 0)
+    if (this.observer !== undefined) this.observer(this)
+  }
+
+  /** Sets `tangential` and `weight` to what gravity comes to at `atS` on a bend. */
+  turn(): void {
     const { direction, piece, law } = this
-    direction.angle = piece.slope - piece.curvature * (s - piece.at)
+    direction.angle = piece.slope - piece.curvature * (this.atS - piece.at)
     direction.find()
     this.tangential = law.gravity * direction.sin
     this.weight = law.gravity * direction.cos
+  }
+
+  /** Takes a direction of sliding, which friction opposes from now on. */
+  slide(slip: -1 | 0 | 1): void {
+    this.slip = slip
+    this.friction = slip * this.law.muKinetic
+    this.steady = this.tangential - this.friction * this.weight
+    this.resistance.s = NaN
+  }
+
+  /** Has each evaluation of the acceleration shown to somebody, or to nobody. */
+  observe(observer: Observer | undefined): void {
+    this.observer = observer
+    this.varies = this.curvature !== 0 || !this.slipHeld || observer !== undefined
+    this.isSteady = !this.varies && this.stiffness === 0 && this.drag === 0
   }
 
   /**
@@ -122,18 +159,21 @@ export class Motion {
     while (i < track.length - 1 && (slip < 0 ? s > track[i]!.to : s >= track[i]!.to)) i++
     const piece = track[i]!
     this.piece = piece
-    this.from = piece.from
-    this.to = piece.to
+    this.from = Math.max(piece.from, -FAR)
+    this.to = Math.min(piece.to, FAR)
     this.curvature = piece.curvature
     this.tangential = gravity * piece.sin
     this.weight = gravity * piece.cos
     this.known = false
+    this.observe(this.observer)
+    this.slide(slip)
     this.reusable =
       this.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
     const bend = Math.abs(piece.curvature) * (1 + muKinetic)
     this.rate = Math.sqrt(gravity * bend)
     if (this.turnMatters) this.rate += Math.sqrt(this.stiffness) / Math.PI
     this.ratePerSpeed = bend + this.drag
+    this.rubbing = bend > 0 || this.drag > 0 ? NaN : law.mass * muKinetic * this.weight
     return slip < 0 ? s > piece.from && s <= piece.to : s >= piece.from && s < piece.to
   }
 
@@ -143,14 +183,14 @@ export class Motion {
    */
   // #region rest
   setsOff(): boolean {
-    this.slip = 0
+    this.slide(0)
     const drive = this.acceleration(this.s, 0)
     const terms = Math.abs(this.tangential) + Math.abs(this.stiffness * this.s)
     if (holds(drive, this.law.muStatic * this.weight, terms)) {
       this.end('at-rest')
       return false
     }
-    this.slip = drive > 0 ? 1 : -1
+    this.slide(drive > 0 ? 1 : -1)
     // At a joint it sets off into the piece on that side.
     if (this.enterPiece()) return true
     this.end('left-the-track')
@@ -162,8 +202,6 @@ export class Motion {
   begin(): void {
     this.startS = this.s
     this.startV = this.v
-    this.startA = this.a
-    this.startKnown = this.known
     this.startUnsolved = this.unsolved
   }
 
@@ -171,8 +209,7 @@ export class Motion {
   rewind(): void {
     this.s = this.startS
     this.v = this.startV
-    this.a = this.startA
-    this.known = this.startKnown
+    this.known = false
     this.unsolved = this.startUnsolved
   }
 
@@ -184,6 +221,7 @@ export class Motion {
 
   /** Ends the motion: nothing that is left of the step, and no later one, changes it. */
   end(outcome: 'at-rest' | 'left-the-track' | 'diverged'): void {
+    this.moving = false
     this.outcome = outcome
   }
 }

@@ -75,8 +75,8 @@ export class Run implements FrameContext {
 
   /** The block has left the track or diverged: there is nothing left to simulate. */
   get ended(): boolean {
-    const { outcome } = this.motion
-    return outcome === 'left-the-track' || outcome === 'diverged'
+    const { moving, outcome } = this.motion
+    return !moving && outcome !== 'at-rest'
   }
 
   /** Heat that friction and drag have made [J]. */
@@ -112,11 +112,12 @@ export class Run implements FrameContext {
    */
   advanceFrame(): void {
     this.frames++
-    if (this.ended) return
+    const { motion } = this
+    if (!motion.moving && this.ended) return
     this.policy(this)
-    if (this.ended) {
+    if (!motion.moving && this.ended) {
       this.stateTime = this.outcomeTime
-      this.drawnS = this.motion.s
+      this.drawnS = motion.s
     }
   }
 

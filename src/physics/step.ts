@@ -15,17 +15,17 @@ const MOST_PARTS = 10_000
 // #region advance
 export function advance(motion: Motion, integrator: Integrator, rule: StoppingRule): void {
   const whole = motion.dt
+  let left = whole
   motion.elapsed = 0
-  for (let parts = 0; motion.elapsed < whole && motion.moving; parts++) {
-    if (parts === MOST_PARTS) motion.end('diverged')
-    else if (motion.v !== 0 || !rule.holdsSlip || motion.setsOff()) {
-      const left = whole - motion.elapsed
-      motion.dt = left
-      motion.begin()
-      rule.step(motion, integrator)
-      motion.elapsed = motion.dt === left ? whole : motion.elapsed + motion.dt
-      if (motion.moving) accept(motion)
-    }
+  for (let parts = 0; left > 0 && motion.moving; parts++) {
+    if (parts === MOST_PARTS) return motion.end('diverged')
+    if (motion.v === 0 && rule.holdsSlip && !motion.setsOff()) break
+    motion.begin()
+    rule.step(motion, integrator)
+    motion.elapsed = motion.dt === left ? whole : motion.elapsed + motion.dt
+    if (motion.moving) accept(motion)
+    left = whole - motion.elapsed
+    motion.dt = left
   }
   motion.dt = whole
 }
@@ -33,14 +33,21 @@ export function advance(motion: Motion, integrator: Integrator, rule: StoppingRu
 
 /** Accepts the step from the beginning noted to the present state, and moves on to the next piece of track. */
 function accept(motion: Motion): void {
+  const { s, v, slip } = motion
+  const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.speedLimit
+  if (!isOnPiece && isLost(motion)) return
+  if (motion.rubbing >= 0) motion.heat += motion.rubbing * Math.abs(s - motion.startS)
+  else addHeat(motion)
+  if (slip > 0 ? v < 0 : v > 0) motion.slide(v > 0 ? 1 : -1)
+  if (!isOnPiece && !motion.enterPiece()) motion.end('left-the-track')
+}
+
+/** Ends a motion that has got farther or faster than any real one. */
+function isLost(motion: Motion): boolean {
   const { s, v } = motion
-  if (!(Math.abs(v) <= motion.law.speedLimit && Math.abs(s) <= FAR)) {
-    motion.end('diverged')
-    // A trajectory holds nothing but finite numbers.
-    if (!(Math.abs(s) + Math.abs(v) < Infinity)) motion.rewind()
-    return
-  }
-  addHeat(motion)
-  if (v !== 0) motion.slip = v > 0 ? 1 : -1
-  if ((s >= motion.to || s <= motion.from) && !motion.enterPiece()) motion.end('left-the-track')
+  if (Math.abs(s) < FAR && Math.abs(v) <= motion.speedLimit) return false
+  motion.end('diverged')
+  // A trajectory holds nothing but finite numbers.
+  if (!(Math.abs(s) + Math.abs(v) < Infinity)) motion.rewind()
+  return true
 }

@@ -85,14 +85,14 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
   const stretches: Stretch[] = []
   const standings: Standing[] = []
   let evaluations: Evaluation[] | undefined
-  motion.observer = (s, v, a) => {
-    const press = motion.weight + v * v * motion.curvature
-    const drive = motion.tangential - motion.stiffness * s - motion.drag * v * Math.abs(v)
-    const evaluation = { s, v, drive, press, a }
+  motion.observe(({ atS: s, atV: v, tangential, weight, stiffness, drag, curvature, friction }) => {
+    const drive = tangential - stiffness * s - drag * v * Math.abs(v)
+    const press = weight + curvature * (v * v)
+    const evaluation = { s, v, drive, press, a: drive - friction * press }
     if (evaluations) evaluations.push(evaluation)
     // Outside a step of the integrator only static friction asks.
     else standings.push({ ...evaluation, begins: motion.elapsed })
-  }
+  })
   const watchedIntegrator: Integrator = {
     ...integrator,
     step: () => {
@@ -120,7 +120,7 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
     },
   }
   advance(motion, watchedIntegrator, watchedRule)
-  motion.observer = undefined
+  motion.observe(undefined)
   return { dt, from, to: stateOf(motion), stretches, standings, outcome: motion.outcome }
 }
 
