@@ -13,6 +13,14 @@ export class Phase {
   /** How long it lasts [s], and the state that it ends with. */
   lasts = NaN
   readonly end: State = { s: NaN, v: NaN }
+
+  /** Makes it the last phase, with one state for ever: at rest, off the track, or NaN where the motion is unknown. */
+  stay(s: number, v: number): void {
+    this.degree = 0
+    this.c[0] = this.end.s = s
+    this.end.v = v
+    this.lasts = Infinity
+  }
 }
 
 /** Sets `into` to the value of a polynomial and to its derivative, by Horner's rule. */

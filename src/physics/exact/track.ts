@@ -12,14 +12,15 @@ const PHASE_DEGREE = 3
 const COEFFICIENTS = 4
 const ROW = COEFFICIENTS + DEGREE + 1
 
-// 30 MB, 20 000 s in the half-pipe. Friction in all but name (μk below 1e-5) in a small, heavy pipe would go on to
-// 1e11 phases within the longest run there is, and the page would hang.
-const MOST_PHASES = 131072
+// 1.9 MB, or 20 minutes in the half-pipe. That is as far as rounding, which grows with the phases, stays below 1e-11 or
+// below 100 times what the last bits of the parameters change. Only kinetic friction below 0.001 takes longer to stop.
+const MOST_PHASES = 8192
 
 /**
- * A motion on a track of straights and bends that bend upwards, with friction: parabolas on the straights, Taylor's
- * series on the bends, each up to the instant of a stop or a joint. A block that reaches an outer end of the track has
- * left it: from then on its state is the one that it had there. NaN at a time that `MOST_PHASES` do not reach.
+ * A motion on a track of straights and arcs, with friction: parabolas on the straights, Taylor series on the arcs, each
+ * up to the instant of a stop or a joint. A block that reaches an outer end of the track has left it: from then on its
+ * state is the one that it had there. NaN at a time that `MOST_PHASES` do not reach, and from a phase on that does not
+ * keep its energy to rounding.
  */
 export function exactTrack(track: Track, parameters: TrackParameters): ExactMotion {
   const phases = new Phases(new Slide(track, parameters))
@@ -54,10 +55,7 @@ class Phases {
     return into
   }
 
-  /**
-   * Computes the phases up to a time. Returns that time, or the one in the first period that it repeats, or NaN where
-   * it is out of reach.
-   */
+  /** Computes the phases up to a time. Returns that time, or the one in the first period that it repeats, or NaN. */
   private reach(t: number): number {
     const { slide } = this
     const { turns } = slide
