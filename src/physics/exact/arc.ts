@@ -1,9 +1,11 @@
 import type { Piece } from '../track.ts'
 import { cardinal } from './cardinal.ts'
-import { DEGREE, crossing, evaluate } from './phase.ts'
+import { crossing, evaluate, stay } from './phase.ts'
 import type { Phase } from './phase.ts'
 import { slideStraight } from './straight.ts'
 
+// Of the polynomial of s: the cost of a step grows with its square, the step's length ever less.
+const DEGREE = 24
 // The first term that the series leaves out is at most this part of its largest: truncation is below rounding.
 const TRUNCATION = 2 ** -60
 // The step follows from this coefficient and all later ones. Few of them are not enough: from rest every other one
@@ -17,9 +19,9 @@ const LONGEST = 2
 const MOST_ENERGY_ERROR = 16 * Number.EPSILON
 
 // Series of speed, and of sine and cosine of the slope, in the phase's unit of time.
-const speeds = new Float64Array(DEGREE)
-const sines = new Float64Array(DEGREE)
-const cosines = new Float64Array(DEGREE)
+const speeds = new Array<number>(DEGREE).fill(0.5)
+const sines = [...speeds]
+const cosines = [...speeds]
 
 /**
  * Slides on an arc for one step, or up to a stop or the piece's end if that comes first:
@@ -31,15 +33,13 @@ const cosines = new Float64Array(DEGREE)
  * @param mu coefficient of kinetic friction with the sign of `slip`
  */
 export function slideArc(
-  phase: Phase,
   s: number,
   v: number,
   slip: 1 | -1,
   mu: number,
   gravity: number,
   piece: Piece,
-): void {
-  const { c, end } = phase
+): Phase {
   const { curvature } = piece
   const slope = piece.slope - curvature * (s - piece.at)
   // The law changes with the angle, which gravity, speed and friction turn; in this unit coefficients stay near 1/κ.
@@ -51,34 +51,32 @@ export function slideArc(
   expand(v * unit, mu, pull, slope, curvature)
   const border = slip > 0 ? piece.to : piece.from
   // No force, nor a change of one: there is none, or one below the smallest number. No step would be the last.
-  if (speeds[1] === 0 && speeds[2] === 0) return slideStraight(phase, s, v, slip, 0, border)
+  if (speeds[1] === 0 && speeds[2] === 0) return slideStraight(s, v, slip, 0, border)
 
-  c[0] = s
-  for (let n = 1; n <= DEGREE; n++) c[n] = speeds[n - 1]! / n
-  phase.unit = unit
-  phase.degree = DEGREE
-
+  // By concat, which leaves no room to spare: a motion keeps thousands of these.
+  const c = [s].concat(speeds)
+  for (let n = 1; n <= DEGREE; n++) c[n]! /= n
+  const end = { s: NaN, v: NaN }
   let x = stepLength()
-  evaluate(c, 0, DEGREE, x, end)
+  evaluate(c, x, end)
   // The whole step, even if the block stops or leaves within it: that is where truncation is largest.
-  if (!keepsEnergy(s, v * unit, end.s, end.v, mu, pull, slope, curvature))
-    return phase.stay(NaN, NaN)
+  if (!keepsEnergy(s, v * unit, end.s, end.v, mu, pull, slope, curvature)) return stay(NaN, NaN)
 
   const turns = slip * end.v <= 0
   if (turns) {
     // From the far end: where the step starts from v = 0, the crossing there is not the one to find.
-    x = crossing(speeds, DEGREE - 1, 0, x)
-    evaluate(c, 0, DEGREE, x, end)
+    x = crossing(speeds, 0, x)
+    evaluate(c, x, end)
   }
   end.v = turns ? 0 : end.v / unit
 
   if (slip * (end.s - border) > 0) {
-    x = crossing(c, DEGREE, border, x)
-    evaluate(c, 0, DEGREE, x, end)
+    x = crossing(c, border, x)
+    evaluate(c, x, end)
     end.s = border
     end.v = slip * Math.max(0, (slip * end.v) / unit)
   }
-  phase.lasts = x * unit
+  return { c, unit, lasts: x * unit, end }
 }
 
 /** Sets the series from speed, gravity and slope φ at the start: (sin φ)′ = −κ v cos φ, (cos φ)′ = κ v sin φ. */

@@ -6,7 +6,7 @@ import type { ExactMotion, Scene, State } from '../scene.ts'
 import { scenes } from '../scenes/index.ts'
 
 // The phases of so many motions take 32 MB at most.
-const MOST_KEPT = 16
+const MOST_KEPT = 8
 const kept = new Map<string, ExactMotion>()
 
 /**
@@ -41,6 +41,6 @@ export function exact(experiment: Experiment, t: number): State {
     throw new RangeError(`The motion is known at finite times from 0 s on, not at ${show(t)} s.`)
   const state = motion(t, { s: NaN, v: NaN })
   if (Number.isNaN(state.s))
-    throw new RangeError(`The motion is not known to 1e-11 at ${t} s: it has too many swings.`)
+    throw new RangeError(`The motion is not known to 1e-11 at ${t} s.`)
   return state
 }
