@@ -40,7 +40,6 @@ export function exact(experiment: Experiment, t: number): State {
   if (!(Number.isFinite(t) && t >= 0))
     throw new RangeError(`The motion is known at finite times from 0 s on, not at ${show(t)} s.`)
   const state = motion(t, { s: NaN, v: NaN })
-  if (Number.isNaN(state.s))
-    throw new RangeError(`The motion is not known to 1e-11 at ${t} s.`)
+  if (Number.isNaN(state.s)) throw new RangeError(`The motion is not known to 1e-11 at ${t} s.`)
   return state
 }
