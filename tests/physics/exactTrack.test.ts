@@ -177,6 +177,44 @@ describe('a run-out', () => {
   })
 })
 
+describe('an arc that bends downwards', () => {
+  // 20° up at s = 0, the top at 60/57.3 m, 20° down at the end.
+  const angle = 20 * (Math.PI / 180)
+  const arc = { at: 0, x: 0, y: 0, slope: -angle, sin: -Math.sin(angle), cos: Math.cos(angle) }
+  const crest = [{ ...arc, from: 0, to: 6 * angle, curvature: -1 / 3 }]
+  const over = (muKinetic: number, speed: number) =>
+    exactTrack(crest, { ...bare, muStatic: muKinetic, muKinetic, speed })
+
+  it('takes speed up to the top and gives it back', () => {
+    const end = at(over(0, 2), 5)
+    expect(end.s).toBe(6 * angle)
+    expect(Math.abs(end.v - 2)).toBeLessThanOrEqual(1e-14)
+    // At the same height before and after the top it is as fast, and as long before as after.
+    const motion = over(0, 2)
+    let [low, high] = [0, 5]
+    while ((low + high) / 2 > low && (low + high) / 2 < high)
+      if (at(motion, (low + high) / 2).s < 3 * angle) low = (low + high) / 2
+      else high = (low + high) / 2
+    for (const t of [0.1, 0.3, 0.5]) {
+      const [before, after] = [at(motion, low - t), at(motion, low + t)]
+      expect(Math.abs(before.s + after.s - 6 * angle)).toBeLessThanOrEqual(1e-13)
+      expect(Math.abs(before.v - after.v)).toBeLessThanOrEqual(1e-13)
+    }
+  })
+
+  it('keeps its energy but for friction, whose press is less by κ v²', () => {
+    const motion = over(0.1, 3)
+    const energy = (t: number) =>
+      0.5 * at(motion, t).v ** 2 + 9.81 * 3 * Math.cos(at(motion, t).s / 3 - angle)
+    const power = (t: number) => {
+      const { s, v } = at(motion, t)
+      return 0.1 * (9.81 * Math.cos(s / 3 - angle) - (v * v) / 3) * v
+    }
+    expect(at(motion, 0.6).s).toBeLessThan(6 * angle)
+    expect(Math.abs(energy(0.6) + integral(power, 0, 0.6) - energy(0))).toBeLessThanOrEqual(1e-13)
+  })
+})
+
 describe('an open end of a track', () => {
   const plank = [{ ...straight(30, 1), from: -1 }]
   const bare = { gravity: 9.81, muStatic: 0, muKinetic: 0 }

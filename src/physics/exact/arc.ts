@@ -19,9 +19,9 @@ const LONGEST = 2
 const MOST_ENERGY_ERROR = 16 * Number.EPSILON
 
 // Series of speed, and of sine and cosine of the slope, in the phase's unit of time.
-const speeds = new Array<number>(DEGREE).fill(0.5)
-const sines = [...speeds]
-const cosines = [...speeds]
+const speeds: number[] = []
+const sines: number[] = []
+const cosines: number[] = []
 
 /**
  * Slides on an arc for one step, or up to a stop or the piece's end if that comes first:
@@ -47,6 +47,7 @@ export function slideArc(
   const bend = Math.abs(curvature)
   const rate = Math.sqrt(gravity * size) * Math.sqrt(bend) + bend * size * Math.abs(v)
   const unit = Math.min(1 / rate, Number.MAX_VALUE)
+  // Gravity in it [m].
   const pull = gravity * unit * unit
   expand(v * unit, mu, pull, slope, curvature)
   const border = slip > 0 ? piece.to : piece.from
