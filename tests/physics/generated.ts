@@ -131,6 +131,36 @@ function lip(chance: Chance, size: number): LipCase {
   }
 }
 
+/**
+ * Blocks just below the lip, moving to it, whose first step would carry them over it and back: relative excess 1e-6 … 0.1,
+ * log-uniform, 0.2 … 2 times that, in radians, below the lip, radius 0.5 … 5 m. Without its lip the pipe would have them
+ * back at their start after some 2v/g; the first frame lasts 1 … 1.5 times that, the second as long.
+ */
+export function overAndBack(count: number, seed: number): LipCase[] {
+  return list(count, seed, (chance) => {
+    const excess = chance.scale(1e-6, 0.1)
+    const radius = chance.scale(0.5, 5)
+    const side = chance.share(0.5) ? 1 : -1
+    const slope = Math.PI / 2 - chance.scale(0.2, 2) * excess
+    const speed = Math.sqrt(2 * GRAVITY * radius * (excess + Math.cos(slope)))
+    const frame = (chance.between(1, 1.5) * 2 * speed) / GRAVITY
+    return {
+      experiment: {
+        scene: 'half-pipe',
+        parameters: {
+          ...{ radius, gravity: GRAVITY },
+          position: side * radius * slope,
+          speed: side * speed,
+        },
+        frames: { kind: 'recorded', durations: [frame] },
+        duration: 2 * frame,
+      },
+      excess,
+      longest: Math.sqrt(GRAVITY / radius) * frame,
+    }
+  })
+}
+
 /** An angle from the bottom that a block of this energy can be at. */
 function highest(chance: Chance, excess: number): number {
   const lip = (0.99 * Math.PI) / 2
