@@ -210,3 +210,68 @@ export function bendsFromRest(count: number, seed: number): Experiment[] {
     }
   })
 }
+
+/** How a block meets two or more events in one step. */
+export type Meeting =
+  | 'foot, then stop'
+  | 'uphill over the joint, turn, and back'
+  | 'turn, then joint'
+  | 'joint, then foot'
+
+export const meetings: readonly Meeting[] = [
+  'foot, then stop',
+  'uphill over the joint, turn, and back',
+  'turn, then joint',
+  'joint, then foot',
+]
+
+/**
+ * Run-outs whose first frame holds two events or three: radius 0.5 … 3 m, angle 15 … 75°, length 1 m. Frames of
+ * ω dt = 0.4 … 1 with ω = √(g/R), three of them. muKinetic = muStatic: 0.3 … 0.8 where it is to stop, else 0 in a half and
+ * up to half of tan(angle).
+ */
+export function meetingsInOneStep(meeting: Meeting, count: number, seed: number): Experiment[] {
+  return list(count, seed, (chance) => {
+    const radius = chance.scale(0.5, 3)
+    const time = Math.sqrt(radius / GRAVITY)
+    const frame = chance.between(0.4, 1) * time
+    const steep = chance.between(15, 75)
+    const angle = meeting === 'joint, then foot' ? chance.between(3, 10) : steep
+    const slope = (angle * Math.PI) / 180
+    const stops = meeting === 'foot, then stop'
+    const mu = stops
+      ? chance.between(0.3, 0.8)
+      : chance.share(0.5)
+        ? 0
+        : chance.between(0, 0.5) * Math.tan(slope)
+    const foot = 1 + radius * slope
+    // How fast gravity and friction slow a block that goes up near the joint, or slides on the flat [m/s²].
+    const slowing = stops ? mu * GRAVITY : GRAVITY * (Math.sin(slope) + mu * Math.cos(slope))
+    // What it loses in a quarter to a half of the frame, so that the turn is well inside.
+    const speed = chance.between(0.2, 0.45) * frame * slowing
+    const start = {
+      'foot, then stop': { position: foot - chance.between(0.02, 0.1) * speed * frame, speed },
+      'uphill over the joint, turn, and back': {
+        position: 1 + chance.between(0.02, 0.1) * speed * frame,
+        speed: -speed,
+      },
+      'turn, then joint': {
+        position: 1 - chance.between(0.02, 0.1) * speed * frame,
+        speed: -speed,
+      },
+      'joint, then foot': {
+        position: 1 - chance.between(0.05, 0.2) * radius * slope,
+        speed: (chance.between(1.3, 2) * radius * slope) / frame,
+      },
+    }[meeting]
+    return {
+      scene: 'run-out',
+      parameters: {
+        ...{ angle, length: 1, bendRadius: radius, muStatic: mu, muKinetic: mu },
+        ...start,
+      },
+      frames: { kind: 'recorded', durations: [frame] },
+      duration: 3 * frame,
+    }
+  })
+}
