@@ -131,6 +131,36 @@ function lip(chance: Chance, size: number): LipCase {
   }
 }
 
+/**
+ * Blocks just below the lip, moving to it, whose first step would carry them over it and back: relative excess 1e-6 … 0.1,
+ * log-uniform, 0.2 … 2 times that, in radians, below the lip, radius 0.5 … 5 m. Without its lip the pipe would have them
+ * back at their start after some 2v/g; the first frame lasts 1 … 1.5 times that, the second as long.
+ */
+export function overAndBack(count: number, seed: number): LipCase[] {
+  return list(count, seed, (chance) => {
+    const excess = chance.scale(1e-6, 0.1)
+    const radius = chance.scale(0.5, 5)
+    const side = chance.share(0.5) ? 1 : -1
+    const slope = Math.PI / 2 - chance.scale(0.2, 2) * excess
+    const speed = Math.sqrt(2 * GRAVITY * radius * (excess + Math.cos(slope)))
+    const frame = (chance.between(1, 1.5) * 2 * speed) / GRAVITY
+    return {
+      experiment: {
+        scene: 'half-pipe',
+        parameters: {
+          ...{ radius, gravity: GRAVITY },
+          position: side * radius * slope,
+          speed: side * speed,
+        },
+        frames: { kind: 'recorded', durations: [frame] },
+        duration: 2 * frame,
+      },
+      excess,
+      longest: Math.sqrt(GRAVITY / radius) * frame,
+    }
+  })
+}
+
 /** An angle from the bottom that a block of this energy can be at. */
 function highest(chance: Chance, excess: number): number {
   const lip = (0.99 * Math.PI) / 2
@@ -177,6 +207,71 @@ export function bendsFromRest(count: number, seed: number): Experiment[] {
         position: inside * bendRadius * ((angle * Math.PI) / 180),
       },
       duration: chance.between(1, 5),
+    }
+  })
+}
+
+/** How a block meets two or more events in one step. */
+export type Meeting =
+  | 'foot, then stop'
+  | 'uphill over the joint, turn, and back'
+  | 'turn, then joint'
+  | 'joint, then foot'
+
+export const meetings: readonly Meeting[] = [
+  'foot, then stop',
+  'uphill over the joint, turn, and back',
+  'turn, then joint',
+  'joint, then foot',
+]
+
+/**
+ * Run-outs whose first frame holds two events or three: radius 0.5 … 3 m, angle 15 … 75°, length 1 m. Frames of
+ * ω dt = 0.4 … 1 with ω = √(g/R), three of them. muKinetic = muStatic: 0.3 … 0.8 where it is to stop, else 0 in a half and
+ * up to half of tan(angle).
+ */
+export function meetingsInOneStep(meeting: Meeting, count: number, seed: number): Experiment[] {
+  return list(count, seed, (chance) => {
+    const radius = chance.scale(0.5, 3)
+    const time = Math.sqrt(radius / GRAVITY)
+    const frame = chance.between(0.4, 1) * time
+    const steep = chance.between(15, 75)
+    const angle = meeting === 'joint, then foot' ? chance.between(3, 10) : steep
+    const slope = (angle * Math.PI) / 180
+    const stops = meeting === 'foot, then stop'
+    const mu = stops
+      ? chance.between(0.3, 0.8)
+      : chance.share(0.5)
+        ? 0
+        : chance.between(0, 0.5) * Math.tan(slope)
+    const foot = 1 + radius * slope
+    // How fast gravity and friction slow a block that goes up near the joint, or slides on the flat [m/s²].
+    const slowing = stops ? mu * GRAVITY : GRAVITY * (Math.sin(slope) + mu * Math.cos(slope))
+    // What it loses in a quarter to a half of the frame, so that the turn is well inside.
+    const speed = chance.between(0.2, 0.45) * frame * slowing
+    const start = {
+      'foot, then stop': { position: foot - chance.between(0.02, 0.1) * speed * frame, speed },
+      'uphill over the joint, turn, and back': {
+        position: 1 + chance.between(0.02, 0.1) * speed * frame,
+        speed: -speed,
+      },
+      'turn, then joint': {
+        position: 1 - chance.between(0.02, 0.1) * speed * frame,
+        speed: -speed,
+      },
+      'joint, then foot': {
+        position: 1 - chance.between(0.05, 0.2) * radius * slope,
+        speed: (chance.between(1.3, 2) * radius * slope) / frame,
+      },
+    }[meeting]
+    return {
+      scene: 'run-out',
+      parameters: {
+        ...{ angle, length: 1, bendRadius: radius, muStatic: mu, muKinetic: mu },
+        ...start,
+      },
+      frames: { kind: 'recorded', durations: [frame] },
+      duration: 3 * frame,
     }
   })
 }
