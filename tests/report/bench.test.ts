@@ -13,9 +13,8 @@ test(
     })
     for (const part of [
       'Measured on',
-      'A step of ours, alone',
-      'A step of ours, mixed',
-      'A step with one block sliding down one ramp',
+      'One block slides down one ramp: a call for each step',
+      'A call of run.frame for each step',
       'Error at the end, at 10 fps',
       'The cheapest way to an error',
       'Targets',
