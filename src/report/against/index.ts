@@ -1,6 +1,7 @@
 import { inChild } from '../child.ts'
 import { nanoseconds } from '../text/figures.ts'
 import { plainTable } from '../text/markdown.ts'
+import type { Care } from '../timing/rounds.ts'
 import { bundleWorks } from './bundle.ts'
 import type { Compared, Kind } from './measure.ts'
 
@@ -11,21 +12,29 @@ const titles: Readonly<Record<Kind, string>> = {
   simulate: 'simulate, ten thousand frames: time of a frame',
 }
 
+/** Slices of 20 ms and more, so that the processor clock is not too coarse; more of them where there is only one pair. */
+const careful: Care = { rounds: 41, atLeast: 20, warming: 200 }
+const mixed: Care = { ...careful, rounds: 15, warming: 60 }
+const hasty: Care = { rounds: 3, atLeast: 0.5, warming: 5 }
+
 /**
  * Compares the processor time of this checkout's physics module with that of another, interleaved in one process for each
  * kind of work, and returns the tables.
  *
  * @param checkout path of the other
+ * @param quick few and short slices: to see that it works
  */
 export async function compareCheckouts(
   checkout: string,
+  quick: boolean,
   tell: (what: string) => void,
 ): Promise<string> {
   const files = [await bundleWorks('.', 'ours'), await bundleWorks(checkout, 'other')] as const
   const tables: string[] = []
   for (const [kind, title] of Object.entries(titles) as [Kind, string][]) {
     tell(title)
-    tables.push(`${title}\n${table(await inChild('against', { kind, files }))}`)
+    const care = quick ? hasty : kind === 'mixed' ? mixed : careful
+    tables.push(`${title}\n${table(await inChild('against', { kind, files, care }))}`)
   }
   return tables.join('\n\n')
 }

@@ -22,27 +22,23 @@ export interface Compared {
   handwrittenRatio: number | null
 }
 
-/** Slices of 20 ms and more, so that no clock is too coarse. */
-const careful: Care = { rounds: 41, atLeast: 20, warming: 200 }
-const careMixed: Care = { rounds: 15, atLeast: 20, warming: 60 }
-
 /** Compares two bundles of `works.ts` in this process. */
 export async function compareBundles({
   kind,
   files,
+  care,
 }: {
   kind: Kind
   files: readonly [ours: string, other: string]
+  care: Care
 }): Promise<Compared[]> {
   const [ours, other] = await Promise.all(files.map(load))
   const both = [ours!, other!]
-  if (kind === 'ramp') return [compare(both, 'ramp', 'velocity-verlet', careful)]
-  if (kind === 'half-pipe') return [compare(both, 'half-pipe', 'rk4', careful)]
-  if (kind === 'simulate') return [compareSimulate(both)]
+  if (kind === 'ramp') return [compare(both, 'ramp', 'velocity-verlet', care)]
+  if (kind === 'half-pipe') return [compare(both, 'half-pipe', 'rk4', care)]
+  if (kind === 'simulate') return [compareSimulate(both, care)]
   for (const works of both) works.runEverything()
-  return timedScenes.flatMap((scene) =>
-    integrators.map(({ id }) => compare(both, scene, id, careMixed)),
-  )
+  return timedScenes.flatMap((scene) => integrators.map(({ id }) => compare(both, scene, id, care)))
 }
 
 type Works = typeof worksModule
@@ -75,12 +71,12 @@ function compare(
   }
 }
 
-function compareSimulate(both: readonly Works[]): Compared {
+function compareSimulate(both: readonly Works[], care: Care): Compared {
   const [scene, integrator] = ['ramp', 'velocity-verlet'] as const
   const experiment = trial(scene, integrator)
   const [ours, other] = timeRounds(
     both.map((works) => works.simulating(experiment, timed.steps)),
-    careful,
+    care,
   )
   return {
     scene,
