@@ -1,59 +1,92 @@
 import { pathToFileURL } from 'node:url'
+import { integrators } from '../../physics/index.ts'
 import type { IntegratorId } from '../../physics/index.ts'
-import { trials } from '../bare/trials.ts'
-import { meetEverything } from '../steps.ts'
+import { handwritten, looping } from '../handwritten/index.ts'
 import { median, ratioOf, timeRounds } from '../timing/rounds.ts'
 import type { Care } from '../timing/rounds.ts'
-import { framing, simulating } from './works.ts'
-import type { Physics } from './works.ts'
+import { timed, timedScenes, trial } from '../trials.ts'
+import type { TimedScene } from '../trials.ts'
+import type * as worksModule from '../works.ts'
 
-/** What is compared: one pair in a process of its own, or every pair in a process that has run everything. */
+/** What is compared: one scene and method in a process of its own, or all of them in a process that has run everything. */
 export type Kind = 'ramp' | 'half-pipe' | 'mixed' | 'simulate'
 
-/** Processor time for a step or a frame [ns], and the median of the ratios of interleaved slices. */
+/** Processor time for a frame [ns], and medians of the ratios of slices of the same round; null: there is no such loop. */
 export interface Compared {
-  what: string
+  scene: string
+  integrator: string
   ours: number
   other: number
   ratio: number
+  handwritten: number | null
+  handwrittenRatio: number | null
 }
 
-const care: Care = { rounds: 41, atLeast: 20, warming: 200 }
-const careMixed: Care = { rounds: 15, atLeast: 20, warming: 60 }
-
-/** Compares two bundled physics modules in this process. */
-export async function compareModules({
+/** Compares two bundles of `works.ts` in this process. */
+export async function compareBundles({
   kind,
   files,
+  care,
 }: {
   kind: Kind
-  files: [ours: string, other: string]
+  files: readonly [ours: string, other: string]
+  care: Care
 }): Promise<Compared[]> {
-  const both = (await Promise.all(files.map((file) => import(pathToFileURL(file).href)))) as [
-    Physics,
-    Physics,
-  ]
-  const compare = (
-    scene: string,
-    integrator: IntegratorId,
-    work: typeof framing = framing,
-  ): Compared => {
-    const trial = trials.find((each) => each.scene === scene && each.kind === 'moves')!
-    const [ours, other] = timeRounds(
-      both.map((physics) => work(physics, trial, integrator)),
-      kind === 'mixed' ? careMixed : care,
-    ) as [number[], number[]]
-    return {
-      what: `${scene}, ${integrator}`,
-      ours: median(ours),
-      other: median(other),
-      ratio: ratioOf(ours, other),
-    }
+  const [ours, other] = await Promise.all(files.map(load))
+  const both = [ours!, other!]
+  if (kind === 'ramp') return [compare(both, 'ramp', 'velocity-verlet', care)]
+  if (kind === 'half-pipe') return [compare(both, 'half-pipe', 'rk4', care)]
+  if (kind === 'simulate') return [compareSimulate(both, care)]
+  for (const works of both) works.runEverything()
+  return timedScenes.flatMap((scene) => integrators.map(({ id }) => compare(both, scene, id, care)))
+}
+
+type Works = typeof worksModule
+
+async function load(file: string): Promise<Works> {
+  return (await import(pathToFileURL(file).href)) as Works
+}
+
+function compare(
+  both: readonly Works[],
+  scene: TimedScene,
+  integrator: IntegratorId,
+  care: Care,
+): Compared {
+  const experiment = trial(scene, integrator)
+  const loop = handwritten.find((each) => each.scene === scene && each.integrator === integrator)
+  const [ours, other, byHand] = timeRounds(
+    [
+      ...both.map((works) => works.framing(experiment, timed)),
+      ...(loop ? [looping(() => loop.start(experiment.parameters), timed)] : []),
+    ],
+    care,
+  )
+  return {
+    scene,
+    integrator,
+    ...ratioed(ours!, other!),
+    handwritten: byHand ? median(byHand) : null,
+    handwrittenRatio: byHand ? ratioOf(ours!, byHand) : null,
   }
-  if (kind === 'ramp') return [compare('ramp', 'velocity-verlet')]
-  if (kind === 'half-pipe') return [compare('half-pipe', 'rk4')]
-  if (kind === 'simulate') return [compare('ramp', 'velocity-verlet', simulating)]
-  for (const physics of both) meetEverything(physics)
-  const scenes = [...new Set(trials.map(({ scene }) => scene))]
-  return scenes.flatMap((scene) => both[0].integrators.map(({ id }) => compare(scene, id)))
+}
+
+function compareSimulate(both: readonly Works[], care: Care): Compared {
+  const [scene, integrator] = ['ramp', 'velocity-verlet'] as const
+  const experiment = trial(scene, integrator)
+  const [ours, other] = timeRounds(
+    both.map((works) => works.simulating(experiment, timed.steps)),
+    care,
+  )
+  return {
+    scene,
+    integrator,
+    ...ratioed(ours!, other!),
+    handwritten: null,
+    handwrittenRatio: null,
+  }
+}
+
+function ratioed(ours: readonly number[], other: readonly number[]) {
+  return { ours: median(ours), other: median(other), ratio: ratioOf(ours, other) }
 }

@@ -1,16 +1,16 @@
 import { html } from 'lit'
-import type { PeerRun, Report } from '../../../report/schema.ts'
+import type { EngineRun, Report } from '../../../report/schema.ts'
 import { metres, raw } from '../../../view/numbers.ts'
 import { menu } from '../../menu.ts'
 
 /** How far each engine ends from the truth, under a clock of the reader's choice. */
 export function engineErrors(
-  { peers, contestants }: Report,
+  { engineTests, engines }: Report,
   clock: string,
   choose: (clock: string) => void,
 ) {
-  const engines = [...new Set(peers.runs.map(({ engine }) => engine))]
-  const list = peers.clocks.map((id) => ({ id, label: id, about: `Frames: ${id}` }))
+  const tested = [...new Set(engineTests.runs.map(({ engine }) => engine))]
+  const list = engineTests.clocks.map((id) => ({ id, label: id, about: `Frames: ${id}` }))
   return html`<label class="choose">
       Errors at
       ${menu({
@@ -31,19 +31,19 @@ export function engineErrors(
         <thead>
           <tr>
             <th scope="col">Engine</th>
-            ${peers.scenes.map(
+            ${engineTests.scenes.map(
               ({ label, about }) => html`<th scope="col">${label}<small>${about}</small></th>`,
             )}
           </tr>
         </thead>
         <tbody>
-          ${engines.map(
+          ${tested.map(
             (engine) =>
               html`<tr>
-                <th scope="row">${contestants.find(({ id }) => id === engine)?.label ?? engine}</th>
-                ${peers.scenes.map(({ id }) =>
+                <th scope="row">${engines.find(({ id }) => id === engine)?.label ?? engine}</th>
+                ${engineTests.scenes.map(({ id }) =>
                   cell(
-                    peers.runs.find(
+                    engineTests.runs.find(
                       (run) => run.engine === engine && run.scene === id && run.clock === clock,
                     ),
                   ),
@@ -55,7 +55,7 @@ export function engineErrors(
     </div>`
 }
 
-function cell(run: PeerRun | undefined) {
+function cell(run: EngineRun | undefined) {
   if (!run) return html`<td>–</td>`
   const { error, note } = run
   return html`<td title=${error === null ? '' : `${raw(error)} m`}>

@@ -1,15 +1,15 @@
 import { html } from 'lit'
 import type { Report } from '../../../report/schema.ts'
 import { plain } from '../../../view/numbers.ts'
-import { time } from './stepTimes.ts'
+import { time } from './frameTimes.ts'
 
 /** What a time step of an engine costs with one block on one ramp. */
-export function engineTimes({ peers, contestants }: Report) {
+export function engineTimes({ engineTests, engines }: Report) {
   return html`<div class="scroll" tabindex="0" role="region" aria-label="Engines, time, table">
     <table>
       <caption>
-        One block sliding down one ramp: time of a step. Engines also turn, collide and stack; this
-        project does only what the scene needs
+        One block slides down one ramp: time of a step, a call for each. Engines also turn, collide
+        and stack; this project does only what the scene needs
       </caption>
       <thead>
         <tr>
@@ -20,8 +20,8 @@ export function engineTimes({ peers, contestants }: Report) {
         </tr>
       </thead>
       <tbody>
-        ${peers.times.map(({ engine, step, ratio }) => {
-          const who = contestants.find(({ id }) => id === engine)
+        ${engineTests.times.map(({ engine, step, ratio }) => {
+          const who = engines.find(({ id }) => id === engine)
           return html`<tr>
             <th scope="row">${who?.label ?? engine}<small>${who?.version ?? ''}</small></th>
             ${time(step.median)}

@@ -4,8 +4,8 @@ import { aims } from './aims.ts'
 import { engineErrors } from './engineErrors.ts'
 import { engineTimes } from './engineTimes.ts'
 import { fetchReport } from './fetchReport.ts'
+import { frameTimes } from './frameTimes.ts'
 import { machineLine } from './machineLine.ts'
-import { stepTimes } from './stepTimes.ts'
 
 /** What the report says that comes with the page, fetched when it is unfolded. */
 export class MeasuredReport extends LitElement {
@@ -34,7 +34,7 @@ export class MeasuredReport extends LitElement {
   override render() {
     const { report, problem } = this
     return html`<details class="measured" @toggle=${this.toggled}>
-      <summary>What we measured: this project beside a bare loop and physics engines</summary>
+      <summary>What we measured: this project beside physics engines and handwritten loops</summary>
       ${problem ? html`<p role="alert">${problem}</p>` : nothing}
       ${report ? this.content(report) : nothing}
       ${!report && !problem && this.asked ? html`<p class="soft">Loading …</p>` : nothing}
@@ -42,8 +42,8 @@ export class MeasuredReport extends LitElement {
   }
 
   private content(report: Report) {
-    return html`${machineLine(report)} ${stepTimes(report)} ${engineTimes(report)}
-    ${engineErrors(report, this.clock || report.peers.clocks[0]!, (clock) => (this.clock = clock))}
+    return html`${machineLine(report)} ${engineTimes(report)} ${frameTimes(report)}
+    ${engineErrors(report, this.clock || report.engineTests.clocks[0]!, (clock) => (this.clock = clock))}
     ${aims(report)}
     ${
       report.notRun.length > 0

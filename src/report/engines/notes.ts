@@ -1,11 +1,11 @@
-import type { PeerScene } from '../schema.ts'
+import type { EngineScene } from '../schema.ts'
 import type { Seen } from './run.ts'
 
 /** What stays within this is at rest: a hundred times what single precision makes of a block 10 m away [m]. */
 const STILL = 1e-4
 
 /** What is odd about a run, from its numbers; null where nothing is. */
-export function notes(scene: PeerScene, { position, late, lifted, later }: Seen): string | null {
+export function notes(scene: EngineScene, { position, late, lifted, later }: Seen): string | null {
   if (!Number.isFinite(position)) return 'ended as no number'
   const said: string[] = []
   if (Math.abs(lifted) > 0.1) said.push(`${length(lifted)} off the slope`)

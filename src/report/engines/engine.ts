@@ -26,7 +26,7 @@ export interface Block {
 }
 
 /** A rigid-body engine, and how it is asked for one block on one slope. */
-export interface Peer {
+export interface Engine {
   readonly id: string
   /** Its npm package. */
   readonly package: string

@@ -1,20 +1,20 @@
 import { beforeAll, describe, expect, it } from 'vitest'
-import { peers } from '../../src/report/peers/index.ts'
-import type { Block, Slope } from '../../src/report/peers/index.ts'
-import { frictionOf } from '../../src/report/peers/measure.ts'
-import { runOurs, runPeer } from '../../src/report/peers/run.ts'
-import { peerClocks, peerScenes } from '../../src/report/peers/scenes.ts'
-import { settled } from '../../src/report/peers/settle.ts'
+import { engines } from '../../src/report/engines/index.ts'
+import type { Block, Slope } from '../../src/report/engines/index.ts'
+import { frictionOf } from '../../src/report/engines/measure.ts'
+import { runOurs, runEngine } from '../../src/report/engines/run.ts'
+import { engineClocks, engineScenes } from '../../src/report/engines/scenes.ts'
+import { settled } from '../../src/report/engines/settle.ts'
 
 const gravity = 9.81
 
 /** Rounding of a distance of some metres, once a step for a thousand steps, in single precision [m]. */
 const SINGLE = 1000 * 10 * 2 ** -24
 
-describe.each(peers)('$id is set up as it says', (peer) => {
+describe.each(engines)('$id is set up as it says', (engine) => {
   let make: (slope: Slope) => Block
   beforeAll(async () => {
-    make = await peer.load()
+    make = await engine.load()
   })
 
   it.each([0, 15, 30, 60])('a block slides down %d° without friction with g sin α', (angle) => {
@@ -48,7 +48,7 @@ describe.each(peers)('$id is set up as it says', (peer) => {
     const block = settled(make, { angle: 0, friction, gravity })
     const combined = block.friction()
     // Single precision has seven digits; rapier doesn't tell.
-    if (peer.id === 'rapier2d') expect(combined).toBeNaN()
+    if (engine.id === 'rapier2d') expect(combined).toBeNaN()
     else expect(Math.abs(combined - friction)).toBeLessThan(1e-7)
     block.free()
   })
@@ -61,7 +61,7 @@ describe.each(peers)('$id is set up as it says', (peer) => {
     block.free()
   })
 
-  it.runIf(peer.id !== 'matter-js').each([0.2, 0.5, 0.9])(
+  it.runIf(engine.id !== 'matter-js').each([0.2, 0.5, 0.9])(
     'a block brakes on the flat with the coefficient of %d that was asked for',
     (friction) => {
       const block = settled(make, { angle: 0, friction, gravity })
@@ -71,7 +71,7 @@ describe.each(peers)('$id is set up as it says', (peer) => {
     },
   )
 
-  it.runIf(peer.id === 'matter-js')(
+  it.runIf(engine.id === 'matter-js')(
     'its friction is not Coulomb’s: half the weight brakes alike',
     () => {
       const brakes = [gravity, gravity / 2].map((weight) => {
@@ -88,14 +88,14 @@ describe.each(peers)('$id is set up as it says', (peer) => {
   )
 
   it('two runs are the same', () => {
-    const [scene, { frames }] = [peerScenes[3]!, peerClocks[4]!]
-    expect(runPeer(make, scene, frames)).toEqual(runPeer(make, scene, frames))
+    const [scene, { frames }] = [engineScenes[3]!, engineClocks[4]!]
+    expect(runEngine(make, scene, frames)).toEqual(runEngine(make, scene, frames))
   })
 })
 
 describe('ours', () => {
-  it.each(peerScenes)('$label: two runs are the same, and right to rounding', (scene) => {
-    for (const { frames } of peerClocks) {
+  it.each(engineScenes)('$label: two runs are the same, and right to rounding', (scene) => {
+    for (const { frames } of engineClocks) {
       const run = runOurs({}, scene, frames)
       expect(run).toEqual(runOurs({}, scene, frames))
       // The bound that the ramp is held to in tests/physics/truth.test.ts, for the distance of 34 m in 60 s.
@@ -105,7 +105,7 @@ describe('ours', () => {
   })
 
   it('the paper’s step trembles where it should rest, and its row says so', () => {
-    const stays = peerScenes.find(({ id }) => id === 'uphill-stays')!
+    const stays = engineScenes.find(({ id }) => id === 'uphill-stays')!
     const paper = { integrator: 'semi-implicit-euler', stopping: 'naive' } as const
     expect(runOurs(paper, stays, { kind: 'steady', fps: 10 }).note).toMatch(/still moves/)
   })

@@ -1,19 +1,19 @@
 import { exact } from '../../physics/index.ts'
 import type { FramesChoice } from '../../physics/index.ts'
-import type { PeerScene } from '../schema.ts'
+import type { EngineScene } from '../schema.ts'
 
 const gravity = 9.81
 
 /** tan of it is 0.5: at this angle friction of 0.5 just holds a block. */
 const critical = (Math.atan(0.5) * 180) / Math.PI
 
-type Given = Omit<PeerScene, 'parameters' | 'truth'> & {
+type Given = Omit<EngineScene, 'parameters' | 'truth'> & {
   angle: number
   friction: number
   speed: number
 }
 
-function scene({ angle, friction, speed, ...rest }: Given): PeerScene {
+function scene({ angle, friction, speed, ...rest }: Given): EngineScene {
   const parameters = {
     angle,
     muStatic: friction,
@@ -31,7 +31,7 @@ function scene({ angle, friction, speed, ...rest }: Given): PeerScene {
 }
 
 /** One block on one slope, six times: what every engine can be asked for. */
-export const peerScenes: readonly PeerScene[] = [
+export const engineScenes: readonly EngineScene[] = [
   scene({
     id: 'slide',
     label: 'Slides',
@@ -101,7 +101,7 @@ export const peerScenes: readonly PeerScene[] = [
 ]
 
 /** The clocks that every engine is given. */
-export const peerClocks: readonly { label: string; frames: FramesChoice }[] = [
+export const engineClocks: readonly { label: string; frames: FramesChoice }[] = [
   ...[10, 30, 60, 144].map((fps) => ({
     label: `${fps} fps`,
     frames: { kind: 'steady', fps } as const,

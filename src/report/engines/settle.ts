@@ -1,5 +1,5 @@
-import { directions } from './peer.ts'
-import type { Block, Slope } from './peer.ts'
+import { directions } from './engine.ts'
+import type { Block, Slope } from './engine.ts'
 
 /** Steps in which a block comes to lie at its engine's own resting gap; twice as many change nothing. */
 const SETTLING = 120

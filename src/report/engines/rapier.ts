@@ -1,8 +1,8 @@
-import { directions, halfBlock, slopeSize } from './peer.ts'
-import type { Peer } from './peer.ts'
+import { directions, halfBlock, slopeSize } from './engine.ts'
+import type { Engine } from './engine.ts'
 
 /** Rust in WebAssembly, in single precision. By default the coefficient is the mean of both bodies'. */
-export const rapier: Peer = {
+export const rapier: Engine = {
   id: 'rapier2d',
   package: '@dimforge/rapier2d-compat',
   setup:

@@ -1,10 +1,10 @@
 import { box2d } from './box2d.ts'
 import { matter } from './matter.ts'
-import type { Peer } from './peer.ts'
+import type { Engine } from './engine.ts'
 import { planck } from './planck.ts'
 import { rapier } from './rapier.ts'
 
 /** What people would use instead. */
-export const peers: readonly Peer[] = [matter, planck, rapier, box2d]
+export const engines: readonly Engine[] = [matter, planck, rapier, box2d]
 
-export type { Block, Peer, Slope } from './peer.ts'
+export type { Block, Engine, Slope } from './engine.ts'

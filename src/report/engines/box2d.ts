@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { directions, halfBlock, slopeSize } from './peer.ts'
-import type { Peer } from './peer.ts'
+import { directions, halfBlock, slopeSize } from './engine.ts'
+import type { Engine } from './engine.ts'
 
 /** Box2D 2.4 in WebAssembly, in single precision. */
-export const box2d: Peer = {
+export const box2d: Engine = {
   id: 'box2d-wasm',
   package: 'box2d-wasm',
   setup:

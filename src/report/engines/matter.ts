@@ -1,6 +1,6 @@
 import Matter from 'matter-js'
-import { directions, halfBlock, slopeSize } from './peer.ts'
-import type { Peer } from './peer.ts'
+import { directions, halfBlock, slopeSize } from './engine.ts'
+import type { Engine } from './engine.ts'
 
 const { Bodies, Body, Composite, Engine } = Matter
 
@@ -10,7 +10,7 @@ const PIXELS = 100
 const BASE = 1 / 60
 
 /** The y axis points down. Friction is the smaller of both bodies', but not Coulomb's: see `setup`. */
-export const matter: Peer = {
+export const matter: Engine = {
   id: 'matter-js',
   package: 'matter-js',
   setup:

@@ -1,16 +1,16 @@
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, FramesChoice } from '../../physics/index.ts'
-import type { PeerRun, PeerScene } from '../schema.ts'
-import type { Block, Slope } from './peer.ts'
+import type { EngineRun, EngineScene } from '../schema.ts'
+import type { Block, Slope } from './engine.ts'
 import { notes } from './notes.ts'
 import { settled } from './settle.ts'
 
-type Outcome = Omit<PeerRun, 'engine' | 'scene' | 'clock'>
+type Outcome = Omit<EngineRun, 'engine' | 'scene' | 'clock'>
 
 /** Runs an engine's block through a scene, a step a frame, as a game would. */
-export function runPeer(
+export function runEngine(
   make: (slope: Slope) => Block,
-  scene: PeerScene,
+  scene: EngineScene,
   frames: FramesChoice,
 ): Outcome {
   const { angle, muKinetic, gravity, speed } = scene.parameters
@@ -35,7 +35,7 @@ export function runPeer(
 /** The same with our own step. */
 export function runOurs(
   method: Partial<Experiment>,
-  scene: PeerScene,
+  scene: EngineScene,
   frames: FramesChoice,
 ): Outcome {
   const at = (duration: number) => {
@@ -65,7 +65,7 @@ export interface Seen {
   readonly later: number | null
 }
 
-function outcome(scene: PeerScene, seen: Seen): Outcome {
+function outcome(scene: EngineScene, seen: Seen): Outcome {
   const { position, later } = seen
   const finite = Number.isFinite(position)
   return {

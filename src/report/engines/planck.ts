@@ -1,8 +1,8 @@
-import { directions, halfBlock, slopeSize } from './peer.ts'
-import type { Peer } from './peer.ts'
+import { directions, halfBlock, slopeSize } from './engine.ts'
+import type { Engine } from './engine.ts'
 
 /** Box2D in JavaScript. It multiplies the coefficients of both bodies and takes the root. */
-export const planck: Peer = {
+export const planck: Engine = {
   id: 'planck',
   package: 'planck',
   setup: 'metres, 8 velocity and 3 position iterations, no sleeping; friction is √(μμ) = μ.',
