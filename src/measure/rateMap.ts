@@ -1,6 +1,7 @@
 import { ExperimentError, simulate } from '../physics/index.ts'
 import type { Experiment, Outcome, Trajectory } from '../physics/index.ts'
 import { presentationErrorSizes } from './error.ts'
+import { withParameters } from './withParameters.ts'
 
 /** A map over frame rates, from left to right, and the values of a parameter, from bottom to top. */
 export interface MapRequest {
@@ -125,7 +126,10 @@ function cellExperiment(request: MapRequest, fps: number, row: number): Experime
   const { experiment, parameter } = request
   return {
     ...experiment,
-    parameters: { ...experiment.parameters, [parameter]: valueAt(request, row) },
+    parameters: withParameters(
+      { ...experiment.parameters },
+      { [parameter]: valueAt(request, row) },
+    ),
     frames: { kind: 'steady', fps },
   }
 }
