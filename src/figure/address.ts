@@ -1,6 +1,6 @@
 import { ExperimentError, scenes } from '../physics/index.ts'
 import type { Problem, SceneId } from '../physics/index.ts'
-import { withParameters } from '../measure/withParameters.ts'
+import { withParameters } from '../measure/index.ts'
 import { checked } from './check.ts'
 import type { LabState } from './state.ts'
 import { opening, openingOf } from './opening.ts'

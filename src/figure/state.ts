@@ -1,7 +1,6 @@
 import { frameClocks, timesteps } from '../physics/index.ts'
 import type { Options, Parameters, ResolvedExperiment, SceneId } from '../physics/index.ts'
-// Not by the door of measure, which carries the hard cases.
-import { withParameters } from '../measure/withParameters.ts'
+import { withParameters } from '../measure/index.ts'
 import { checked, MOST_RUNNERS } from './check.ts'
 import { modes } from './modes.ts'
 import type { ModeId } from './modes.ts'
