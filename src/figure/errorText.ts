@@ -1,3 +1,4 @@
+import { scaleOf, withoutRounding } from '../measure/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import { fixed, metres, place, raw } from '../view/numbers.ts'
 import { errorAt } from './simulation.ts'
@@ -14,7 +15,7 @@ export function errorText(
 ): { text: string; title: string } {
   const error = errorAt(trajectory, exact, row)
   return {
-    text: signed(scene.facing * error),
+    text: signed(scene.facing * withoutRounding(error, scaleOf(trajectory.experiment).length)),
     title: `s − exact(t) = ${raw(error)} m, at t = ${raw(trajectory.time[row]!)} s`,
   }
 }

@@ -52,7 +52,9 @@ function read(
   i: number,
 ): Truth {
   const { parameters } = scenes.find(({ id }) => id === each.scene)!
-  const given = each.parameters as Record<string, number | undefined>
+  const given = { ...each.parameters } as Record<string, number | undefined>
+  // A case that names kinetic friction alone has static friction of the same size: less would be refused.
+  given.muStatic ??= given.muKinetic
   return {
     name: `${i}: ${each.scene} ${JSON.stringify(each.parameters)}`,
     experiment: {

@@ -21,7 +21,7 @@ test('the table of spreads has the paper’s step at the top; a number loads its
   expect(await first.locator('th').innerText()).toContain('The paper’s own step')
   const ramp = first.locator('button').nth(1)
   const spread = frameRateSpread({ ...shared, ...paperMethod } as Experiment)
-  expect(await ramp.getAttribute('title')).toContain(`${spread} m`)
+  expect(await ramp.getAttribute('title')).toContain(`${spread.distance} m`)
   const before = await lab.state()
   await first.locator('button').nth(3).click()
   const state: LabState = await lab.state()

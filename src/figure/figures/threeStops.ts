@@ -1,6 +1,7 @@
 import { spreadOf } from '../../measure/index.ts'
-import type { Experiment, Trajectory } from '../../physics/index.ts'
+import type { Experiment } from '../../physics/index.ts'
 import { lengthText } from '../errorText.ts'
+import { spreadText } from '../spreadText.ts'
 import { modes } from '../modes.ts'
 import { figure } from './figure.ts'
 import { drawRuns } from './scenePanel.ts'
@@ -44,11 +45,7 @@ export const threeStops = figure({
     },
   ],
   says: ({ mode }, runs) => {
-    const spread = lengthText(spreadOf(runs.map(endOf)))
+    const spread = spreadText(spreadOf(runs), lengthText).value
     return `${modes.find(({ id }) => id === mode)!.about} They end ${spread} apart.`
   },
 })
-
-function endOf({ drawnS }: Trajectory): number {
-  return drawnS[drawnS.length - 1]!
-}

@@ -55,9 +55,9 @@ export function wordsAfter(
 
 /** Static friction holds up to μs times the normal force. */
 function decision(step: PolicyStep, standing: Standing, { parameters }: ResolvedExperiment): Said {
-  const { muStatic = 0, muKinetic = 0 } = parameters
+  const { muStatic = 0 } = parameters
   const drive = Math.abs(standing.drive)
-  const most = Math.max(muStatic, muKinetic) * standing.press
+  const most = muStatic * standing.press
   const isLast = standing === step.standings[step.standings.length - 1]
   return isLast && step.outcome === 'at-rest'
     ? say`it stays, because |drive| ${drive} ≤ μs press ${most} m/s².`

@@ -1,4 +1,4 @@
-import { cheapest, ROUNDING } from '../../measure/index.ts'
+import { cheapest } from '../../measure/index.ts'
 import { integrators } from '../../physics/index.ts'
 import { plain } from '../../view/numbers.ts'
 import type { CostKind } from './costs.ts'
@@ -26,7 +26,7 @@ export function advice(curves: readonly DiagramCurve[]): Advice[] {
     found.push({ error, point })
   }
   for (const exponent of wanted) add(metresText(exponent), 10 ** exponent)
-  add('no error but rounding', ROUNDING)
+  add('no error but rounding', 0)
   return found
 }
 
@@ -60,6 +60,6 @@ export function pointWords({ error, cost, outcome, whole }: DiagramPoint, kind: 
   if (outcome === 'left-the-track') return `left the track, ${price}`
   if (outcome === 'diverged') return `blew up, ${price}`
   if (!whole) return 'the true motion is not known here'
-  const size = error < ROUNDING ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
+  const size = error === 0 ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
   return `${size}, ${price}`
 }

@@ -1,4 +1,4 @@
-import { cellKinds, coarseCell, ROUNDING } from '../../measure/index.ts'
+import { cellKinds, coarseCell, withoutRounding } from '../../measure/index.ts'
 import type { CellKind, MapRequest, MapRow } from '../../measure/index.ts'
 
 /** Beyond a hundred metres one error is as bad as another: this is the ramp's highest power of ten. */
@@ -7,7 +7,7 @@ export const HIGHEST = 2
 /** What is known of a cell. */
 export interface Cell {
   readonly kind: CellKind
-  /** [m] */
+  /** [m]; 0 where it is rounding, NaN where nothing is measured. */
   readonly value: number
 }
 
@@ -40,9 +40,10 @@ export class MapCells {
   decades(): { low: number; high: number } {
     let low = Infinity
     let high = -Infinity
-    for (const row of this.rows)
-      for (const value of row?.values ?? []) {
-        if (!(value >= ROUNDING && value < Infinity)) continue
+    for (let row = 0; row < this.rows.length; row++)
+      for (let column = 0; column < this.request.columns; column++) {
+        const { value } = this.own(column, row)
+        if (!(value > 0)) continue
         low = Math.min(low, value)
         high = Math.max(high, value)
       }
@@ -63,6 +64,8 @@ export class MapCells {
   private own(column: number, row: number): Cell {
     const known = this.rows[row]
     if (!known) return { kind: 'pending', value: NaN }
-    return { kind: cellKinds[known.kinds[column]!]!, value: known.values[column]! }
+    const kind = cellKinds[known.kinds[column]!]!
+    const value = kind === 'measured' ? known.values[column]! : NaN
+    return { kind, value: withoutRounding(value, known.scale) }
   }
 }

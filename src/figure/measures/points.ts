@@ -1,4 +1,10 @@
-import { counts, isExact, orderOfCurve, outcomeKinds } from '../../measure/index.ts'
+import {
+  counts,
+  isExact,
+  orderOfCurve,
+  outcomeKinds,
+  withoutRounding,
+} from '../../measure/index.ts'
 import type { SweepCurve } from '../../measure/index.ts'
 import { integrators } from '../../physics/index.ts'
 import type { Integrator, IntegratorId, Outcome } from '../../physics/index.ts'
@@ -11,7 +17,7 @@ export interface DiagramPoint {
   readonly rate: number
   /** For a simulated second. */
   readonly cost: number
-  /** The largest of the run [m]. */
+  /** The largest of the run, 0 where it is rounding [m]. */
   readonly error: number
   readonly outcome: Outcome['kind']
   /** Its error says something: it ran to its end, and the truth is known. */
@@ -39,6 +45,8 @@ export interface DiagramCurve {
   /** What was found of its order, in a word or two. */
   readonly order: string
   readonly exact: boolean
+  /** The length of the path, against which rounding is measured [m]. */
+  readonly scale: number
 }
 
 /** The curves of a diagram, from the sweep's numbers and what each point costs. */
@@ -55,12 +63,13 @@ export function diagramCurves(
       method: curve.method,
       rate,
       cost: cost[i]!,
-      error: curve.errors[i]!,
+      error: withoutRounding(curve.errors[i]!, curve.scale),
       outcome: outcomeKinds[curve.outcomes[i]!]!,
       whole: counts(curve, i),
     }))
     const order = orderText(curve, rates)
-    return [{ method: curve.method, label, look: colour, points, order, exact: isExact(curve) }]
+    const { method, scale } = curve
+    return [{ method, label, look: colour, points, order, exact: isExact(curve), scale }]
   })
 }
 

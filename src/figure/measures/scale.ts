@@ -1,4 +1,3 @@
-import { ROUNDING } from '../../measure/index.ts'
 import { metres, plain } from '../../view/numbers.ts'
 
 /** A logarithmic axis: a value's place, and the powers of ten on it. */
@@ -44,7 +43,7 @@ function superscript(exponent: number): string {
 
 /** A distance as people say it, down to the nanometres that the axes go to: “0.254 m”, “31.2 nm”, “0 (to rounding)”. */
 export function sizeText(value: number): string {
-  return value < 1e-6 && value >= ROUNDING ? `${plain(value * 1e9)}\u2009nm` : metres(value)
+  return value < 1e-6 && value > 0 ? `${plain(value * 1e9)}\u2009nm` : metres(value)
 }
 
 /** The same in two digits, which is as much as can be seen. */

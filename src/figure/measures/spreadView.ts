@@ -2,10 +2,10 @@ import { html, LitElement, nothing } from 'lit'
 import { integrators, scenes, stoppings, timesteps } from '../../physics/index.ts'
 import type { Experiment, SceneId } from '../../physics/index.ts'
 import { spreadMethods } from '../../measure/index.ts'
-import type { MethodChoice, SpreadRequest, SpreadRow } from '../../measure/index.ts'
-import { raw } from '../../view/numbers.ts'
+import type { MethodChoice, Spread, SpreadRequest, SpreadRow } from '../../measure/index.ts'
 import { menu } from '../menu.ts'
 import { openingOf } from '../opening.ts'
+import { spreadText } from '../spreadText.ts'
 import { choose } from '../state.ts'
 import type { LabState, RunnerState } from '../state.ts'
 import { Measuring } from './measuring.ts'
@@ -31,7 +31,7 @@ export class SpreadView extends LitElement {
   declare load: (scene: SceneId, method: MethodChoice, label: string, words: string) => void
   declare private stopping: MethodChoice['stopping']
   declare private timestep: MethodChoice['timestep']
-  private rows = new Map<number, Float64Array>()
+  private rows = new Map<number, readonly Spread[]>()
   private readonly measuring: Measuring = new Measuring(this, (_, parts, fresh) => {
     if (fresh) this.rows = new Map()
     for (const part of parts as SpreadRow[]) this.rows.set(part.row, part.spreads)
@@ -128,17 +128,17 @@ export class SpreadView extends LitElement {
       ${scenes.map(({ id, label }, column) => {
         const spread = spreads?.[column]
         if (spread === undefined) return html`<td>…</td>`
-        const text = Number.isFinite(spread) ? sizeText(spread) : 'without bound'
-        const [figure, remark] = text.split(/ (?=\()/)
-        return html`<td ?data-exact=${remark !== undefined}>
+        const { value, remark, title, exact } = spreadText(spread, sizeText)
+        const text = remark ? `${value} (${remark})` : value
+        return html`<td ?data-exact=${exact}>
           <button
             type="button"
             class="in-text"
-            title="${raw(spread)} m. Click to see it in the lab."
+            title="${title}. Click to see it in the lab."
             aria-label="${name}, ${label}: ${text}. Show it in the lab"
-            @click=${() => this.load(id, method, `${name}, ${label.toLowerCase()}`, `Its frame-rate spread, from 5 to 240 fps, is ${text}.`)}
+            @click=${() => this.load(id, method, `${name}, ${label.toLowerCase()}`, `Its frame-rate spread, from 5 to 240 fps: ${text}.`)}
           >
-            ${figure}${remark ? html` <small>${remark}</small>` : nothing}
+            ${value}${remark ? html` <small>(${remark})</small>` : nothing}
           </button>
         </td>`
       })}

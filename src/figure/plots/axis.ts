@@ -1,6 +1,5 @@
 import { fixed, plain } from '../../view/numbers.ts'
 import { roundAbove, toStep } from '../../view/round.ts'
-import { ROUNDING } from './quantity.ts'
 
 /** A tick of an axis, and what is written at it. */
 export interface Tick {
@@ -57,7 +56,7 @@ export function errorAxis(smallest: number, largest: number): Axis {
   return {
     from: foot - 0.25,
     to: top,
-    at: (value) => (value < ROUNDING ? foot : Math.log10(value)),
+    at: (value) => (value === 0 ? foot : Math.log10(value)),
     ticks: (most) => {
       const step = [1, 3, 6, 9].find((each) => (top - bottom) / each < most - 1) ?? 12
       const ticks: Tick[] = [{ at: foot, label: 'rounding' }]

@@ -1,4 +1,9 @@
-import { energyResidual, presentationErrors } from '../../measure/index.ts'
+import {
+  energyResidual,
+  presentationErrors,
+  scaleOf,
+  withoutRounding,
+} from '../../measure/index.ts'
 import type { State, Trajectory } from '../../physics/index.ts'
 import { fixed, place, plain } from '../../view/numbers.ts'
 
@@ -14,16 +19,10 @@ export interface Quantity {
   text(value: number): string
   /** The least stretch that an axis shows: below it, a constant would look like a mountain range. */
   readonly least: number
-  /** It should be 0, and is never quite: below some size it is rounding. */
+  /** It should be 0; what is rounding is given as 0. */
   readonly residual?: true
   readonly logarithmic?: true
 }
-
-/** What an error of 0 is drawn as [m]: a logarithm has no place for it. */
-const FLOOR = 1e-16
-
-/** Below this an error is an accident of rounding, as it is in all texts [m]. */
-export const ROUNDING = 1e-11
 
 const thin = '\u2009'
 
@@ -50,13 +49,16 @@ export const speed: Quantity = {
   least: 0.01,
 }
 
-/** How far what is shown is from the exact block, |drawnS − exact(time)|, at least the floor [m]. */
+/** How far what is shown is from the exact block, |drawnS − exact(time)| [m]. */
 export const error: Quantity = {
   label: 'error',
   unit: 'm',
-  values: remembered((trajectory) =>
-    presentationErrors(trajectory).each.map((each) => Math.max(FLOOR, Math.abs(each))),
-  ),
+  values: remembered((trajectory) => {
+    const { length } = scaleOf(trajectory.experiment)
+    return presentationErrors(trajectory).each.map((each) =>
+      withoutRounding(Math.abs(each), length),
+    )
+  }),
   text: (value) => small(value, 'm'),
   least: 0,
   residual: true,
@@ -67,7 +69,10 @@ export const error: Quantity = {
 export const energy: Quantity = {
   label: 'energy residual',
   unit: 'J',
-  values: remembered(energyResidual),
+  values: remembered((trajectory) => {
+    const { energy } = scaleOf(trajectory.experiment)
+    return energyResidual(trajectory).map((each) => withoutRounding(each, energy))
+  }),
   ofExact: () => 0,
   text: (value) => small(value, 'J'),
   least: 0.001,
@@ -77,8 +82,8 @@ export const energy: Quantity = {
 /** A figure that should be 0, from thousands down to rounding, in little room: “0.146 m”, “−5.54 mJ”, “12 pm”. */
 function small(value: number, unit: string): string {
   const size = Math.abs(value)
-  if (size > 0 && size < ROUNDING) return 'rounding'
-  if (size >= 1000 || size === 0 || Number.isNaN(size)) return `${plain(value)}${thin}${unit}`
+  if (size === 0) return 'rounding'
+  if (size >= 1000 || Number.isNaN(size)) return `${plain(value)}${thin}${unit}`
   // Where thousandths say enough all have them, so that points stand under points.
   if (size >= 0.01) return `${fixed(value, 3)}${thin}${unit}`
   const steps = size >= 1e-3 ? 1 : size >= 1e-6 ? 2 : size >= 1e-9 ? 3 : 4

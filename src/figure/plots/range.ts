@@ -2,7 +2,6 @@ import { samplesOf } from '../../view/samples.ts'
 import type { Simulated } from '../simulation.ts'
 import { errorAxis, linearAxis } from './axis.ts'
 import type { Axis } from './axis.ts'
-import { ROUNDING } from './quantity.ts'
 import type { Quantity } from './quantity.ts'
 
 /** Errors above this are no longer a matter of more or less [m]. */
@@ -58,7 +57,7 @@ function logarithmic(quantity: Quantity, { visible }: Simulated): Axis {
   let largest = 0
   for (const { trajectory } of visible) {
     for (const value of quantity.values(trajectory)) {
-      if (!(value >= ROUNDING)) continue
+      if (!(value > 0)) continue
       if (value < smallest) smallest = value
       if (value > largest) largest = value
     }

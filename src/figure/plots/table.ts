@@ -3,7 +3,6 @@ import { fixed, plain, raw } from '../../view/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../simulation.ts'
 import type { PlotKind } from './kinds.ts'
-import { ROUNDING } from './quantity.ts'
 import type { Quantity } from './quantity.ts'
 
 /** A plot in figures. */
@@ -71,6 +70,6 @@ function cell(quantity: Quantity, value: number, time: number): Cell {
 /** Without its unit, which stands in the head. */
 function figure({ residual }: Quantity, value: number): string {
   const size = Math.abs(value)
-  if (residual && size < ROUNDING) return '0 (to rounding)'
+  if (residual && size === 0) return '0 (to rounding)'
   return size < 1e4 && (!residual || size >= 0.01) ? fixed(value, 3) : plain(value)
 }

@@ -1,4 +1,5 @@
 import { html } from 'lit'
+import { withoutRounding } from '../../../measure/index.ts'
 import type { EngineRun, Report } from '../../../report/schema.ts'
 import { metres, raw } from '../../../view/numbers.ts'
 import { menu } from '../../menu.ts'
@@ -59,7 +60,7 @@ function cell(run: EngineRun | undefined) {
   if (!run) return html`<td>–</td>`
   const { error, note } = run
   return html`<td title=${error === null ? '' : `${raw(error)} m`}>
-    ${error === null ? 'no number any more' : metres(Number(error.toPrecision(2)))}
+    ${error === null ? 'no number any more' : metres(Number(withoutRounding(error, 1).toPrecision(2)))}
     ${note ? html`<small>${note}</small>` : ''}
   </td>`
 }
