@@ -1,4 +1,4 @@
-import type { Parameters } from './scene.ts'
+import type { Parameters } from './state.ts'
 import type { Track } from './track.ts'
 
 /** What starts 1e9 m away at 1e9 m/s and falls at 1e6 m/s² for 1e6 s gets neither as far nor as fast [m, m/s]. */

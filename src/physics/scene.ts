@@ -3,28 +3,8 @@ import { lawOf } from './law.ts'
 import type { Law } from './law.ts'
 import type { Described, NumberOption } from './options.ts'
 import { placeOn } from './track.ts'
+import type { ExactMotion, Parameters, Place } from './state.ts'
 import type { Track } from './track.ts'
-
-/** Where a motion stands: distance along the track [m] and speed [m/s]. */
-export interface State {
-  s: number
-  v: number
-}
-
-/** A motion known at every instant: sets `into` to the state at the time t ≥ 0 [s] and returns it. */
-export type ExactMotion = (t: number, into: State) => State
-
-/** A point of a track, in a frame with x to the right and y upwards [m]. */
-export interface Place {
-  x: number
-  y: number
-  /** The direction of growing s, below the horizontal [rad]. */
-  slope: number
-  /** How fast the slope falls off along the track, −dslope/ds: positive where the track bends upwards [1/m]. */
-  curvature: number
-}
-
-export type Parameters = Readonly<Record<string, number>>
 
 /** What a scene is: a track, what can be set, and how it is shown. All else follows from the track. */
 export interface SceneData extends Described {

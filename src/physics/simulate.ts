@@ -1,7 +1,7 @@
 import { limits } from './experiment.ts'
 import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
-import { parseExperiment } from './parse.ts'
+import { parseExperiment, parseForRun } from './parse.ts'
 import { Run } from './run.ts'
 import { Recorder } from './trajectory.ts'
 import type { Trajectory } from './trajectory.ts'
@@ -13,7 +13,7 @@ import type { Trajectory } from './trajectory.ts'
  * @throws ExperimentError for an experiment that can't be run
  */
 export function createRun(experiment: Experiment): Run {
-  return new Run(parseExperiment(experiment))
+  return new Run(parseForRun(experiment))
 }
 
 /**

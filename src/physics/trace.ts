@@ -3,7 +3,7 @@ import { FrameLoop } from './frameLoop.ts'
 import type { Integrator } from './integrator.ts'
 import type { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
-import type { State } from './scene.ts'
+import type { State } from './state.ts'
 import { advance } from './step.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 

@@ -1,4 +1,4 @@
-import type { Place } from './scene.ts'
+import type { Place } from './state.ts'
 import { sinCos, radians, sinCosDegrees } from './trigonometry.ts'
 
 /** A stretch of track of constant curvature, from one distance along it to another [m]. */

@@ -6,16 +6,13 @@ import type { Integrator } from './integrator.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import type { Problem } from './problems.ts'
-import type { Parameters } from './scene.ts'
+import type { Parameters } from './state.ts'
 import type { TimestepPolicy } from './timestepPolicy.ts'
 import { timesteps } from './timesteps/index.ts'
 import { sinCosDegrees } from './trigonometry.ts'
 
 /** Trial steps that locating one event takes: regula falsi on a smooth residual needs 5 to 10. */
 const TRIALS = 8
-
-/** Located events in one step, beyond which a run ends as `diverged`. */
-const MOST_EVENTS = 100
 
 /**
  * Why a run would take too long: in frames, in steps and, of an experiment in which nothing else is wrong, in evaluations
@@ -40,8 +37,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
     })
   if (!whole || problems.length > 0) return problems
   const { least, most }: Integrator['evaluations'] = entry(integrators, integrator).evaluations
-  const turns = stopping === 'located' ? reversals(parameters, duration) : 0
-  const located = Math.min(turns, MOST_EVENTS * steps)
+  const located = stopping === 'located' ? reversals(parameters, duration) : 0
   // Between the fewest and the most that a step takes lies what it typically takes: for implicit midpoint 6 of 1 to 40.
   const evaluations = (steps + TRIALS * located) * Math.sqrt(least * most)
   if (evaluations > limits.evaluations)

@@ -22,14 +22,18 @@ export function wordsAfter(
     const ends = stretch.begins + kept.dt
     const tries = stretch.tries.length
     const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${count(tries, 'try').replace('trys', 'tries')}` : ''}`
-    if (stretch.jump === 'stop') {
+    if (stretch.ends === 'stop') {
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing
         ? decision(step, standing, experiment)
         : say`whether it stays is decided as the next step begins.`
       said.push(say`v reached 0 ${when}; s = ${kept.to.s} m; ${then}`)
     }
-    if (stretch.jump === 'joint')
+    if (stretch.ends === 'cut')
+      said.push(
+        say`The step is cut after ${kept.dt} s: over the whole of it the force would change too much for one step.`,
+      )
+    if (stretch.ends === 'joint')
       said.push(say`It came to the joint at s = ${kept.to.s} m ${when}.`)
   } else if (isLast) {
     if (kept.to.v !== step.to.v)

@@ -1,4 +1,4 @@
-import type { ExactMotion, State } from '../scene.ts'
+import type { ExactMotion, State } from '../state.ts'
 import { cardinal } from './cardinal.ts'
 
 // From here on cosh x and sinh x are eˣ/2 to the last bit.

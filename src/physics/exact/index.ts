@@ -1,8 +1,9 @@
 import type { Experiment } from '../experiment.ts'
 import { entry } from '../lists.ts'
-import { parseExperiment } from '../parse.ts'
+import { parseForRun } from '../parse.ts'
 import { show } from '../problems.ts'
-import type { ExactMotion, Scene, State } from '../scene.ts'
+import type { Scene } from '../scene.ts'
+import type { ExactMotion, State } from '../state.ts'
 import { scenes } from '../scenes/index.ts'
 
 // The phases of so many motions take 32 MB at most.
@@ -18,7 +19,7 @@ const kept = new Map<string, ExactMotion>()
  * @throws ExperimentError for an experiment that can't be run
  */
 export function exactMotion(experiment: Experiment): ExactMotion {
-  const { scene, parameters } = parseExperiment(experiment)
+  const { scene, parameters } = parseForRun(experiment)
   const key = JSON.stringify([scene, parameters])
   const known = kept.get(key)
   if (known) return known

@@ -1,4 +1,4 @@
-import type { ExactMotion, Parameters } from '../scene.ts'
+import type { ExactMotion, Parameters } from '../state.ts'
 import type { Track } from '../track.ts'
 import { exactFall } from './fall.ts'
 import { exactSpring } from './spring.ts'

@@ -1,4 +1,4 @@
-import type { State } from '../scene.ts'
+import type { State } from '../state.ts'
 
 /** A stretch of time with one law. In it s is a polynomial of x, the time since its start in units of `unit`. */
 export interface Phase {

@@ -1,4 +1,4 @@
-import type { ExactMotion } from '../scene.ts'
+import type { ExactMotion } from '../state.ts'
 import { holds } from '../holds.ts'
 import { straight } from '../track.ts'
 import { sinCosDegrees } from '../trigonometry.ts'

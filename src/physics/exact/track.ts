@@ -1,4 +1,4 @@
-import type { ExactMotion } from '../scene.ts'
+import type { ExactMotion } from '../state.ts'
 import type { Track } from '../track.ts'
 import { evaluate } from './phase.ts'
 import { Slide } from './slide.ts'

@@ -1,6 +1,6 @@
 import type { NumberOption } from '../options.ts'
 import { defineScene } from '../scene.ts'
-import type { Parameters } from '../scene.ts'
+import type { Parameters } from '../state.ts'
 import { straight } from '../track.ts'
 import { gravity, mass, muKinetic, muStatic, position, speed } from './parameters.ts'
 
