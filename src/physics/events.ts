@@ -37,13 +37,13 @@ function shortenToEvent(motion: Motion, integrator: Integrator): void {
     if (i === MOST_HALVINGS) return motion.end('diverged')
     retake(motion, integrator, 0.5 * motion.dt)
   }
-  const { dt, slip, turnMatters } = motion
+  const { dt, slip, law } = motion
   const outside = isOutside(motion)
-  if (hasTurned(motion) && (turnMatters || outside || mayReachEnd(motion))) {
+  if (hasTurned(motion) && (law.turnMatters || outside || mayReachEnd(motion))) {
     if (!locate('turn', motion, integrator)) return motion.end('diverged')
     if (residual('joint', motion) >= 0) {
       // Where neither friction nor an end makes it matter, a turn is part of a step like any other.
-      if (turnMatters || outside) motion.stop()
+      if (law.turnMatters || outside) motion.stop()
       else retake(motion, integrator, dt)
       return
     }

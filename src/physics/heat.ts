@@ -2,6 +2,8 @@ import type { Motion } from './motion.ts'
 
 /** What resists the motion at one end of a step, per mass, and its first three derivatives by the distance. */
 export class Resistance {
+  /** For the other end of the step. */
+  other: Resistance | undefined
   /** Where, and at which speed [m, m/s]; NaN where nothing is known yet. */
   s = NaN
   v = NaN
@@ -10,6 +12,14 @@ export class Resistance {
   first = NaN
   second = NaN
   third = NaN
+
+  /** Two of them, for the ends of a step. */
+  static pair(): Resistance {
+    const [one, other] = [new Resistance(), new Resistance()]
+    one.other = other
+    other.other = one
+    return one
+  }
 }
 
 /**
@@ -22,7 +32,7 @@ export function addHeat(motion: Motion): void {
   const { muKinetic } = law
   if (muKinetic === 0 && drag === 0) return
   const start = motion.resistance
-  const end = motion.nextResistance
+  const end = start.other!
   if (start.s !== startS || start.v !== startV) {
     start.s = startS
     start.v = startV
@@ -41,7 +51,6 @@ export function addHeat(motion: Motion): void {
   motion.heat += law.mass * Math.abs(h * mean)
   // This step's end is the next one's start.
   motion.resistance = end
-  motion.nextResistance = start
 }
 
 /**

@@ -19,6 +19,8 @@ export interface Law {
   readonly stiffness: number
   /** Of the air, per mass: c/m [1/m]. */
   readonly drag: number
+  /** A stop changes the force, or how it changes: friction or drag acts. */
+  readonly turnMatters: boolean
   /** A speed that only a step which has lost its stability reaches [m/s]. */
   readonly speedLimit: number
 }
@@ -28,8 +30,11 @@ export function lawOf(track: Track, parameters: Parameters): Law {
   const { gravity = 0, mass = 1, muStatic = 0, muKinetic = 0 } = parameters
   const stiffness = (parameters.stiffness ?? 0) / mass
   const drag = (parameters.drag ?? 0) / mass
-  const fastest = stiffness > 0 ? fastestOnSpring(track, stiffness, parameters) : FAST
-  return { track, gravity, mass, muStatic, muKinetic, stiffness, drag, speedLimit: fastest }
+  return {
+    ...{ track, gravity, mass, muStatic, muKinetic, stiffness, drag },
+    turnMatters: muStatic > 0 || drag > 0,
+    speedLimit: stiffness > 0 ? fastestOnSpring(track, stiffness, parameters) : FAST,
+  }
 }
 
 /**

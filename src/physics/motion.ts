@@ -2,7 +2,6 @@ import { Resistance } from './heat.ts'
 import { holds } from './holds.ts'
 import { FAR } from './law.ts'
 import type { Law } from './law.ts'
-import type { Piece } from './track.ts'
 import { SinCos } from './trigonometry.ts'
 
 /** Is told of each evaluation of the acceleration, at `atS` and `atV`. */
@@ -21,8 +20,6 @@ export class Motion {
   /** How far into the step that the timestep policy asked for the motion has got [s]. */
   elapsed = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
-  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
-  moving = true
   /** Energy that friction and drag have turned into heat [J]. */
   heat = NaN
   /** How often the acceleration was evaluated. */
@@ -44,53 +41,45 @@ export class Motion {
   from = NaN
   to = NaN
   curvature = NaN
+  // The direction of that piece below the horizontal [rad], at a distance along it [m].
+  private slope = NaN
+  private at = NaN
   /** Gravity along the track and into it, per mass; on a bend, at the distance of the last evaluation [m/s²]. */
   tangential = NaN
   weight = NaN
   /** Stiffness and drag per mass [1/s², 1/m]. */
   stiffness = NaN
   drag = NaN
-  /** A speed that only a step which has lost its stability reaches [m/s]. */
-  readonly speedLimit: number
   /** The slip direction times the coefficient of kinetic friction. */
   friction = NaN
-  /** A stop changes the force, or how it changes: friction or drag acts. */
-  turnMatters = false
-  /** The acceleration is the same all along the piece: gravity and friction on a straight, and nothing else [m/s²]. */
+  /** The acceleration is one number all along the piece: by gravity and friction alone, on a straight [m/s²]. */
   private isSteady = false
   private steady = NaN
-  /** Something about the law is not the same all along the piece: `vary` finds it. */
-  private varies = false
-  /** Where the acceleration is evaluated. */
+  /** Where the acceleration is evaluated, and what it is there [m, m/s, m/s²]. */
   atS = NaN
   atV = NaN
+  atA = NaN
   // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
   rate = NaN
   ratePerSpeed = NaN
   /** The force of friction on a straight, with the mass [N]; NaN where what resists is not the same all along. */
   rubbing = NaN
-  /** What resisted at the end of the last step, and room for the end of this one. */
-  resistance = new Resistance()
-  nextResistance = new Resistance()
+  /** What resisted at the end of the last step. */
+  resistance = Resistance.pair()
 
   /** The state at which the step began, to which `rewind` returns. */
   startS = NaN
   startV = NaN
-  private startUnsolved = 0
 
   readonly law: Law
   private observer: Observer | undefined
-  private piece: Piece
   private readonly direction = new SinCos()
 
   constructor(law: Law, s: number, v: number, slipHeld: boolean) {
     this.law = law
-    this.speedLimit = law.speedLimit
     this.slipHeld = slipHeld
     this.stiffness = law.stiffness
     this.drag = law.drag
-    this.turnMatters = law.muStatic > 0 || law.drag > 0
-    this.piece = law.track[0]!
     this.s = s
     this.v = v
     this.heat = this.elapsed = 0
@@ -98,36 +87,44 @@ export class Motion {
     this.enterPiece()
   }
 
+  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
+  get moving(): boolean {
+    return this.outcome === 'moving'
+  }
+
   /**
-   * dv/dt at a distance along the track and a speed [m/s²]: the law of motion of every scene, and what an integrator
-   * asks for. It is short, so that engines compile it into every integrator.
+   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 compiles it
+   * into every integrator, where no number need be boxed to be passed: the law reads and writes fields.
    */
   acceleration(s: number, v: number): number {
+    this.atS = s
+    this.atV = v
+    this.evaluate()
+    return this.atA
+  }
+
+  /** The law of motion of every scene: sets `atA` to what dv/dt is at `atS` and `atV`. */
+  private evaluate(): void {
     this.evaluations++
-    if (this.isSteady) return this.steady
-    if (this.varies) {
-      this.atS = s
-      this.atV = v
-      this.vary()
+    if (this.isSteady) {
+      this.atA = this.steady
+      return
     }
+    const { atS: s, atV: v } = this
+    if (this.curvature !== 0) this.turn()
+    if (!this.slipHeld) this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
     // #region law
     const drive = this.tangential - this.stiffness * s - this.drag * v * Math.abs(v)
     const press = this.weight + this.curvature * (v * v)
-    return drive - this.friction * press
+    this.atA = drive - this.friction * press
     // #endregion
-  }
-
-  /** Sets what is not the same all along the piece of track to what it is at `atS` and `atV`. */
-  private vary(): void {
-    if (this.curvature !== 0) this.turn()
-    if (!this.slipHeld) this.slide(this.atV > 0 ? 1 : this.atV < 0 ? -1 : 0)
     if (this.observer !== undefined) this.observer(this)
   }
 
   /** Sets `tangential` and `weight` to what gravity comes to at `atS` on a bend. */
   turn(): void {
-    const { direction, piece, law } = this
-    direction.angle = piece.slope - piece.curvature * (this.atS - piece.at)
+    const { direction, law } = this
+    direction.angle = this.slope - this.curvature * (this.atS - this.at)
     direction.find()
     this.tangential = law.gravity * direction.sin
     this.weight = law.gravity * direction.cos
@@ -137,15 +134,19 @@ export class Motion {
   slide(slip: -1 | 0 | 1): void {
     this.slip = slip
     this.friction = slip * this.law.muKinetic
-    this.steady = this.tangential - this.friction * this.weight
     this.resistance.s = NaN
+    this.steady = this.tangential - this.friction * this.weight
   }
 
   /** Has each evaluation of the acceleration shown to somebody, or to nobody. */
   observe(observer: Observer | undefined): void {
     this.observer = observer
-    this.varies = this.curvature !== 0 || !this.slipHeld || observer !== undefined
-    this.isSteady = !this.varies && this.stiffness === 0 && this.drag === 0
+    this.isSteady =
+      observer === undefined &&
+      this.slipHeld &&
+      this.curvature === 0 &&
+      this.stiffness === 0 &&
+      this.drag === 0
   }
 
   /**
@@ -158,20 +159,20 @@ export class Motion {
     let i = 0
     while (i < track.length - 1 && (slip < 0 ? s > track[i]!.to : s >= track[i]!.to)) i++
     const piece = track[i]!
-    this.piece = piece
     this.from = Math.max(piece.from, -FAR)
     this.to = Math.min(piece.to, FAR)
     this.curvature = piece.curvature
+    this.slope = piece.slope
+    this.at = piece.at
     this.tangential = gravity * piece.sin
     this.weight = gravity * piece.cos
     this.known = false
     this.observe(this.observer)
     this.slide(slip)
-    this.reusable =
-      this.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
+    this.reusable = this.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
     const bend = Math.abs(piece.curvature) * (1 + muKinetic)
     this.rate = Math.sqrt(gravity * bend)
-    if (this.turnMatters) this.rate += Math.sqrt(this.stiffness) / Math.PI
+    if (law.turnMatters) this.rate += Math.sqrt(this.stiffness) / Math.PI
     this.ratePerSpeed = bend + this.drag
     this.rubbing = bend > 0 || this.drag > 0 ? NaN : law.mass * muKinetic * this.weight
     return slip < 0 ? s > piece.from && s <= piece.to : s >= piece.from && s < piece.to
@@ -202,7 +203,6 @@ export class Motion {
   begin(): void {
     this.startS = this.s
     this.startV = this.v
-    this.startUnsolved = this.unsolved
   }
 
   /** Returns to the beginning of the step. */
@@ -210,7 +210,6 @@ export class Motion {
     this.s = this.startS
     this.v = this.startV
     this.known = false
-    this.unsolved = this.startUnsolved
   }
 
   /** Brings the block to rest where it is. */
@@ -221,7 +220,6 @@ export class Motion {
 
   /** Ends the motion: nothing that is left of the step, and no later one, changes it. */
   end(outcome: 'at-rest' | 'left-the-track' | 'diverged'): void {
-    this.moving = false
     this.outcome = outcome
   }
 }

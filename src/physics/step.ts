@@ -34,7 +34,7 @@ export function advance(motion: Motion, integrator: Integrator, rule: StoppingRu
 /** Accepts the step from the beginning noted to the present state, and moves on to the next piece of track. */
 function accept(motion: Motion): void {
   const { s, v, slip } = motion
-  const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.speedLimit
+  const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.law.speedLimit
   if (!isOnPiece && isLost(motion)) return
   if (motion.rubbing >= 0) motion.heat += motion.rubbing * Math.abs(s - motion.startS)
   else addHeat(motion)
@@ -45,7 +45,7 @@ function accept(motion: Motion): void {
 /** Ends a motion that has got farther or faster than any real one. */
 function isLost(motion: Motion): boolean {
   const { s, v } = motion
-  if (Math.abs(s) < FAR && Math.abs(v) <= motion.speedLimit) return false
+  if (Math.abs(s) < FAR && Math.abs(v) <= motion.law.speedLimit) return false
   motion.end('diverged')
   // A trajectory holds nothing but finite numbers.
   if (!(Math.abs(s) + Math.abs(v) < Infinity)) motion.rewind()

@@ -85,10 +85,10 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
   const stretches: Stretch[] = []
   const standings: Standing[] = []
   let evaluations: Evaluation[] | undefined
-  motion.observe(({ atS: s, atV: v, tangential, weight, stiffness, drag, curvature, friction }) => {
+  motion.observe(({ atS: s, atV: v, atA: a, tangential, weight, stiffness, drag, curvature }) => {
     const drive = tangential - stiffness * s - drag * v * Math.abs(v)
     const press = weight + curvature * (v * v)
-    const evaluation = { s, v, drive, press, a: drive - friction * press }
+    const evaluation = { s, v, drive, press, a }
     if (evaluations) evaluations.push(evaluation)
     // Outside a step of the integrator only static friction asks.
     else standings.push({ ...evaluation, begins: motion.elapsed })

@@ -21,7 +21,8 @@ export const velocityVerlet = {
   // #region step
   step: (motion) => {
     const { s, v, dt } = motion
-    const a = motion.known ? motion.a : motion.acceleration(s, v)
+    if (!motion.known) motion.a = motion.acceleration(s, v)
+    const { a } = motion
     motion.s = s + (v + 0.5 * a * dt) * dt
     motion.a = motion.acceleration(motion.s, v + a * dt)
     motion.v = v + 0.5 * (a + motion.a) * dt

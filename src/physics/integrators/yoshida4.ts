@@ -1,5 +1,4 @@
 import type { Integrator } from '../integrator.ts'
-import { velocityVerlet } from './velocityVerlet.ts'
 
 const CUBE_ROOT_OF_2 = 1.2599210498948732
 const OUTER = 1 / (2 - CUBE_ROOT_OF_2)
@@ -20,11 +19,21 @@ export const yoshida4 = {
   evaluations: { least: 3, most: 6 },
   colour: 5,
   step: (motion) => {
-    const { dt } = motion
+    const { dt, reusable } = motion
+    let { s, v } = motion
+    if (!motion.known) motion.a = motion.acceleration(s, v)
+    let { a } = motion
     for (let part = 0; part < 3; part++) {
-      motion.dt = (part === 1 ? INNER : OUTER) * dt
-      velocityVerlet.step(motion)
+      const length = (part === 1 ? INNER : OUTER) * dt
+      if (part > 0 && !reusable) a = motion.acceleration(s, v)
+      const before = a
+      s = s + (v + 0.5 * before * length) * length
+      a = motion.acceleration(s, v + before * length)
+      v = v + 0.5 * (before + a) * length
     }
-    motion.dt = dt
+    motion.s = s
+    motion.v = v
+    motion.a = a
+    motion.known = reusable
   },
 } as const satisfies Integrator
