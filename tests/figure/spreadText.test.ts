@@ -26,7 +26,12 @@ test.each<[Partial<Spread>, string, string, boolean]>([
   [{ ...left, earliest: 0.8269, latest: 0.827 }, '100 µs', 'left the track at 0.83 s', false],
   [{ ...left, earliest: 0.8269, latest: 0.8269 }, '0', 'left the track at 0.83 s', true],
   // One block leaves with a step that ends beyond the lip.
-  [{ ...left, earliest: 0.8, latest: 0.8, distance: 0.1 }, '0.10 m', 'left the track at 0.80 s', false],
+  [
+    { ...left, earliest: 0.8, latest: 0.8, distance: 0.1 },
+    '0.10 m',
+    'left the track at 0.80 s',
+    false,
+  ],
   [{ outcomes: ['diverged'], distance: 1e9 }, 'without bound', 'all diverged', false],
   [
     { outcomes: ['moving', 'left-the-track'], agree: false, earliest: 0.8, latest: 0.8 },

@@ -13,6 +13,20 @@ const report = JSON.parse(
   readFileSync(join(import.meta.dirname, '../../public/report/report.json'), 'utf8'),
 ) as Report
 
+test.each([
+  [
+    'scene=half-pipe&position=0&speed=8&duration=2&runners=5/explicit-euler;240/explicit-euler',
+    /^6\d(\.\d)?\sms \(left the track at 0\.39 to 0\.4\d\ss\)$/,
+  ],
+  [
+    'scene=spring&stiffness=4000&position=1&runners=10/velocity-verlet;240/velocity-verlet',
+    /^different outcomes \(diverged, (moving|at rest)\)$/,
+  ],
+])('runs that do not end alike on the track are said not to: %s', async (address, text) => {
+  const { spread } = await openLab(address)
+  expect(await spread()).toMatch(text)
+})
+
 test('the table of spreads has the paper’s step at the top; a number loads its method', async () => {
   const lab = await openMeasures()
   await lab.view('Frame-rate spread')
