@@ -150,7 +150,7 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
       lastSide = -1
     }
   }
-  return false
+  return Math.abs(residual(event, motion)) <= limit
 }
 
 function lessWeight(here: number, before: number): number {
