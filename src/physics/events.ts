@@ -19,7 +19,7 @@ const TOUCH = 16 * Number.EPSILON
  */
 // #region event
 export function stepToEvent(motion: Motion, integrator: Integrator): void {
-  // No step is so long that the law is another at its end (a bend turns by two radians), or that it holds two turns.
+  // No step is so long that the law is another at its end (a bend turns by two radians), nor that it holds two turns.
   const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
   if (changes > 1) motion.dt /= Math.ceil(2 * changes)
   integrator.step(motion)
@@ -79,8 +79,10 @@ function retake(motion: Motion, integrator: Integrator, dt: number): void {
 
 /** Whether a trial ended no faster and no farther than its start can pay for, twice over: not a step that went wild. */
 function isPlausible(motion: Motion): boolean {
-  const { s, v, dt, startS, curvature, law } = motion
-  if (curvature === 0 && law.stiffness === 0) return true
+  const { s, v, dt, slip, startS, tangential, curvature, law } = motion
+  if (curvature === 0 && law.stiffness === 0 && law.drag === 0) return true
+  // Air brakes a block that gravity pulls on, but does not turn it.
+  if (law.drag > 0 && hasTurned(motion) && slip * tangential > 0) return false
   const most = 2 * fastest(motion)
   return Math.abs(v) <= most && Math.abs(s - startS) <= most * dt
 }

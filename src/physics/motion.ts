@@ -165,7 +165,7 @@ export class Motion {
     const bend = Math.abs(piece.curvature)
     this.rate = 0.5 * Math.sqrt(gravity * bend * (1 + muKinetic))
     if (law.turnMatters) this.rate += Math.sqrt(law.stiffness) / Math.PI
-    this.ratePerSpeed = bend * (0.5 + muKinetic) + law.drag
+    this.ratePerSpeed = bend * (0.5 + muKinetic)
     return slip < 0 ? s > piece.from && s <= piece.to : s >= piece.from && s < piece.to
   }
 
