@@ -33,7 +33,8 @@ it('without friction the reference keeps the energy of a bend from rest', () => 
   )
   const errors = cases.map(({ parameters }, i) => {
     if (parameters!.muKinetic! > 0) return 0
-    const potential = (s: number) => runOut.potential({ ...whole, ...parameters }, s)
+    const given = { ...whole, ...parameters } as Record<string, number>
+    const potential = (s: number) => runOut.potential(given, s)
     const { s, v } = ends[i]!
     const fallen = potential(parameters!.position!) - potential(s)
     return Math.abs(0.5 * v * v - fallen) / Math.max(1, fallen)
