@@ -232,11 +232,6 @@ describe('timestep policies', () => {
     if (losesTime) expect(behind).toBeGreaterThan(0.5)
     else expect(behind).toBeLessThan(1 / 60)
   })
-
-  it('take frames in a row only where each is one step', () => {
-    const inRow = timesteps.filter((policy) => 'stepIsFrame' in policy && policy.stepIsFrame)
-    expect(inRow.map(({ id }) => id)).toEqual(['variable'])
-  })
 })
 
 describe('the corrections of the paper', () => {

@@ -49,8 +49,8 @@ describe.each(scenes)('the exact motion on the scene $id', (scene: Scene) => {
       )
       if (scene.conflict?.(given)) continue
       const motion = scene.exact(given)
-      const joints = jointsOf(scene, given)
       const end = endOf(scene, given)
+      const joints = [...jointsOf(scene, given), end, -end]
       for (let i = 0; i < 20; i++) {
         const t = uniform(3 * h, 4)
         const states = [-3, -2, -1, 0, 1, 2, 3].map((k) => motion(t + k * h, { s: 0, v: 0 }))
