@@ -124,10 +124,12 @@ export class Motion {
   /** Sets `tangential` and `weight` to what gravity comes to at `atS` on a bend. */
   turn(): void {
     const { direction, law } = this
+    // #region turn
     direction.angle = this.slope - this.curvature * (this.atS - this.at)
     direction.find()
     this.tangential = law.gravity * direction.sin
     this.weight = law.gravity * direction.cos
+    // #endregion
   }
 
   /** Takes a direction of sliding, which friction opposes from now on. */
@@ -182,8 +184,8 @@ export class Motion {
    * Decides for a block with v = 0 whether it moves: static friction holds it while |drive| ≤ μs press. Otherwise it
    * sets off along the drive.
    */
-  // #region rest
   setsOff(): boolean {
+    // #region rest
     this.slide(0)
     const drive = this.acceleration(this.s, 0)
     const terms = Math.abs(this.tangential) + Math.abs(this.stiffness * this.s)
@@ -192,12 +194,12 @@ export class Motion {
       return false
     }
     this.slide(drive > 0 ? 1 : -1)
+    // #endregion
     // At a joint it sets off into the piece on that side.
     if (this.enterPiece()) return true
     this.end('left-the-track')
     return false
   }
-  // #endregion
 
   /** Notes the state as the beginning of a step of that length [s]. */
   begin(): void {
