@@ -47,9 +47,6 @@ export class Motion {
   /** Gravity along the track and into it, per mass; on a bend, at the distance of the last evaluation [m/s²]. */
   tangential = NaN
   weight = NaN
-  /** Stiffness and drag per mass [1/s², 1/m]. */
-  stiffness = NaN
-  drag = NaN
   /** The slip direction times the coefficient of kinetic friction. */
   friction = NaN
   /** The acceleration is one number all along the piece: by gravity and friction alone, on a straight [m/s²]. */
@@ -62,14 +59,14 @@ export class Motion {
   // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
   rate = NaN
   ratePerSpeed = NaN
-  /** The force of friction on a straight, with the mass [N]; NaN where what resists is not the same all along. */
-  rubbing = NaN
   /** What resisted at the end of the last step. */
   resistance = Resistance.pair()
 
   /** The state at which the step began, to which `rewind` returns. */
   startS = NaN
   startV = NaN
+  private startA = NaN
+  private startKnown = false
 
   readonly law: Law
   private observer: Observer | undefined
@@ -78,8 +75,6 @@ export class Motion {
   constructor(law: Law, s: number, v: number, slipHeld: boolean) {
     this.law = law
     this.slipHeld = slipHeld
-    this.stiffness = law.stiffness
-    this.drag = law.drag
     this.s = s
     this.v = v
     this.heat = this.elapsed = 0
@@ -110,11 +105,11 @@ export class Motion {
       this.atA = this.steady
       return
     }
-    const { atS: s, atV: v } = this
+    const { atS: s, atV: v, law } = this
     if (this.curvature !== 0) this.turn()
     if (!this.slipHeld) this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
     // #region law
-    const drive = this.tangential - this.stiffness * s - this.drag * v * Math.abs(v)
+    const drive = this.tangential - law.stiffness * s - law.drag * v * Math.abs(v)
     const press = this.weight + this.curvature * (v * v)
     this.atA = drive - this.friction * press
     // #endregion
@@ -142,13 +137,10 @@ export class Motion {
 
   /** Has each evaluation of the acceleration shown to somebody, or to nobody. */
   observe(observer: Observer | undefined): void {
+    const { law, slipHeld, curvature } = this
     this.observer = observer
     this.isSteady =
-      observer === undefined &&
-      this.slipHeld &&
-      this.curvature === 0 &&
-      this.stiffness === 0 &&
-      this.drag === 0
+      observer === undefined && slipHeld && curvature === 0 && law.stiffness === 0 && law.drag === 0
   }
 
   /**
@@ -171,12 +163,11 @@ export class Motion {
     this.known = false
     this.observe(this.observer)
     this.slide(slip)
-    this.reusable = this.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
-    const bend = Math.abs(piece.curvature) * (1 + muKinetic)
-    this.rate = Math.sqrt(gravity * bend)
-    if (law.turnMatters) this.rate += Math.sqrt(this.stiffness) / Math.PI
-    this.ratePerSpeed = bend + this.drag
-    this.rubbing = bend > 0 || this.drag > 0 ? NaN : law.mass * muKinetic * this.weight
+    this.reusable = law.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
+    const bend = Math.abs(piece.curvature)
+    this.rate = 0.5 * Math.sqrt(gravity * bend * (1 + muKinetic))
+    if (law.turnMatters) this.rate += Math.sqrt(law.stiffness) / Math.PI
+    this.ratePerSpeed = bend * (0.5 + muKinetic)
     return slip < 0 ? s > piece.from && s <= piece.to : s >= piece.from && s < piece.to
   }
 
@@ -188,7 +179,7 @@ export class Motion {
     // #region rest
     this.slide(0)
     const drive = this.acceleration(this.s, 0)
-    const terms = Math.abs(this.tangential) + Math.abs(this.stiffness * this.s)
+    const terms = Math.abs(this.tangential) + Math.abs(this.law.stiffness * this.s)
     if (holds(drive, this.law.muStatic * this.weight, terms)) {
       this.end('at-rest')
       return false
@@ -205,13 +196,16 @@ export class Motion {
   begin(): void {
     this.startS = this.s
     this.startV = this.v
+    this.startA = this.a
+    this.startKnown = this.known
   }
 
   /** Returns to the beginning of the step. */
   rewind(): void {
     this.s = this.startS
     this.v = this.startV
-    this.known = false
+    this.a = this.startA
+    this.known = this.startKnown
   }
 
   /** Brings the block to rest where it is. */

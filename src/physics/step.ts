@@ -36,8 +36,7 @@ function accept(motion: Motion): void {
   const { s, v, slip } = motion
   const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.law.speedLimit
   if (!isOnPiece && isLost(motion)) return
-  if (motion.rubbing >= 0) motion.heat += motion.rubbing * Math.abs(s - motion.startS)
-  else addHeat(motion)
+  addHeat(motion)
   if (slip > 0 ? v < 0 : v > 0) motion.slide(v > 0 ? 1 : -1)
   if (!isOnPiece && !motion.enterPiece()) motion.end('left-the-track')
 }

@@ -85,7 +85,8 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
   const stretches: Stretch[] = []
   const standings: Standing[] = []
   let evaluations: Evaluation[] | undefined
-  motion.observe(({ atS: s, atV: v, atA: a, tangential, weight, stiffness, drag, curvature }) => {
+  const { stiffness, drag } = motion.law
+  motion.observe(({ atS: s, atV: v, atA: a, tangential, weight, curvature }) => {
     const drive = tangential - stiffness * s - drag * v * Math.abs(v)
     const press = weight + curvature * (v * v)
     const evaluation = { s, v, drive, press, a }

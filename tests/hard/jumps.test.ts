@@ -19,7 +19,7 @@ describe('14 a joint and a stop inside the same step', () => {
 
   it('both joints and the stop are in the first frame, in their order', () => {
     const [step] = traceFrame(once, 1)
-    expect(step!.stretches.map(({ jump }) => jump)).toEqual(['joint', 'joint', 'stop'])
+    expect(step!.stretches.map(({ ends }) => ends)).toEqual(['joint', 'joint', 'stop'])
     measured(name, 'found', [once.integrator!], step!.stretches.length, { atLeast: 3, atMost: 3 })
     const bendEnd = 0.2 + 0.5 * 30 * (Math.PI / 180)
     expect(step!.stretches.slice(1).map(({ tries }) => tries[0]!.from.s)).toEqual([0.2, bendEnd])
