@@ -6,7 +6,7 @@ interface Mode {
   readonly label: string
   /** What it does and what to look for. */
   readonly about: string
-  /** The same where nothing rubs and so nothing stops. */
+  /** The same where there is no friction and so nothing stops. */
   readonly withoutFriction?: string
   readonly method: Method
 }
@@ -85,7 +85,7 @@ export function modeOf(state: LabState): (typeof modes)[number] | undefined {
   return modes.find(({ method }) => state.runners.every((runner) => sameMethod(runner, method)))
 }
 
-/** What a mode does in a scene, by whether anything rubs there. */
+/** What a mode does in a scene, by whether there is friction. */
 export function aboutOf(
   { about, withoutFriction }: Mode,
   { parameters: { muStatic = 0, muKinetic = 0 } }: Pick<LabState, 'parameters'>,

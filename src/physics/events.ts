@@ -10,7 +10,7 @@ const MOST_ITERATIONS = 100
 // What rounding may leave of a residual whose terms have a size of one: the few hundred operations of a step each add an ulp.
 const ROUNDING = 1000 * Number.EPSILON
 
-// A block that turns no farther beyond a joint than the rounding of its place turns at the joint.
+// A block that turns beyond a joint by no more than the rounding of its place turns at the joint.
 const TOUCH = 16 * Number.EPSILON
 
 /**
@@ -19,7 +19,7 @@ const TOUCH = 16 * Number.EPSILON
  */
 // #region event
 export function stepToEvent(motion: Motion, integrator: Integrator): void {
-  // No step is so long that the law is another at its end (a bend turns by two radians), nor that it holds two turns.
+  // No step is so long that a bend turns by more than two radians, or that the step could hold two turns.
   const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
   if (changes > 1) motion.dt /= Math.ceil(2 * changes)
   integrator.step(motion)
@@ -36,7 +36,7 @@ function isOutside({ s, from, to }: Motion): boolean {
   return s > to || s < from
 }
 
-/** Ends a step that an event lies in at the first event; where it can't be trusted, the step is halved instead. */
+/** Ends a step at the first event in it. A trial that can't be trusted is halved first. */
 function shortenToEvent(motion: Motion, integrator: Integrator): void {
   // Too far off for any real motion: it has diverged.
   if (Math.abs(motion.s) >= FAR) return
@@ -77,7 +77,7 @@ function retake(motion: Motion, integrator: Integrator, dt: number): void {
   integrator.step(motion)
 }
 
-/** Whether a trial ended no faster and no farther than its start can pay for, twice over: not a step that went wild. */
+/** Whether a trial's speed and distance are at most twice what its start can pay for: the step has kept its stability. */
 function isPlausible(motion: Motion): boolean {
   const { s, v, dt, slip, startS, tangential, curvature, law } = motion
   if (curvature === 0 && law.stiffness === 0 && law.drag === 0) return true
@@ -107,7 +107,7 @@ function mayReachEnd(motion: Motion): boolean {
  * from the same start ends at the event to rounding. Returns whether it has found a root.
  *
  * Regula falsi in the form of Anderson and Björck (1973), which keeps the root bracketed, with a bisection now and then
- * so that the bracket is sure to close. Its tolerance comes from the state at the start alone.
+ * so that the bracket is sure to close. Its tolerance comes from the start of the step and its length, never from the trial's end.
  */
 function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   let late = motion.dt

@@ -1,6 +1,6 @@
 import type { Motion } from './motion.ts'
 
-/** What resists the motion at one end of a step, per mass, and its first three derivatives by the distance. */
+/** Friction and drag at one end of a step, per mass, and their first three derivatives with respect to distance. */
 export class Resistance {
   /** For the other end of the step. */
   other: Resistance | undefined
@@ -23,7 +23,7 @@ export class Resistance {
 }
 
 /**
- * Adds the heat of the step from the beginning noted to the present state: the force of friction and drag times the
+ * Adds the heat of the step from its recorded start to the present state: the force of friction and drag times the
  * distance, and never what the energy has lost. On a bend and in air the integral comes from the force and its derivatives at
  * both ends (Hermite's two-point formula); it is of the eighth order, as the best method is.
  */
@@ -58,7 +58,7 @@ export function addHeat(motion: Motion): void {
 }
 
 /**
- * Sets what resists at a distance and a speed. With K = ½v², T = g sin θ and W = g cos θ (dT/ds = −κW, dW/ds = κT):
+ * Sets friction and drag, R, at a distance and a speed. With K = ½v², T = g sin θ and W = g cos θ (dT/ds = −κW, dW/ds = κT):
  *
  *     R = μk (W + 2κK) + 2(c/m)K,  dK/ds = T − (k/m)s − slip R
  *

@@ -4,20 +4,20 @@ import { FAR } from './law.ts'
 import type { Law } from './law.ts'
 import { C10, C12, C14, C4, C6, C8, S11, S13, S3, S5, S7, S9, SinCos } from './trigonometry.ts'
 
-/** Is told of each evaluation of the acceleration, at `atS` and `atV`. */
+/** Called after each evaluation of the acceleration, at `atS` and `atV`. */
 export type Observer = (motion: Motion) => void
 
 /**
  * A block on a track: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and the law that moves it.
  * One mutable object with number fields, so that a step allocates nothing. Most fields start as NaN so that engines
- * store them as floating-point numbers from the first.
+ * store them as floating-point numbers from the start.
  */
 export class Motion {
   s = NaN
   v = NaN
-  /** The length of the step to take; once it has been taken, how long it was [s]. */
+  /** The length of the step to take; once it has been taken, its actual length [s]. */
   dt = NaN
-  /** How far into the step that the timestep policy asked for the motion has got [s]. */
+  /** Time since the start of the step that the timestep policy asked for [s]. */
   elapsed = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** Energy that friction and drag have turned into heat [J]. */
@@ -29,7 +29,7 @@ export class Motion {
 
   /** The direction of sliding, which friction opposes. */
   slip: -1 | 0 | 1 = 0
-  /** Friction opposes `slip` all through a step, instead of the sign of each speed that it is evaluated at. */
+  /** Friction opposes `slip` throughout a step, and not the sign of each speed at which it is evaluated. */
   readonly slipHeld: boolean
   /** The acceleration at the present state, where `known`: what a step may hand on to the next [m/s²]. */
   a = NaN
@@ -59,7 +59,7 @@ export class Motion {
   // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
   rate = NaN
   ratePerSpeed = NaN
-  /** What resisted at the end of the last step. */
+  /** Friction and drag at the end of the last step. */
   resistance = Resistance.pair()
 
   /** The state at which the step began, to which `rewind` returns. */
@@ -88,8 +88,8 @@ export class Motion {
   }
 
   /**
-   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 compiles it
-   * into every integrator, where no number need be boxed to be passed: the law reads and writes fields.
+   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 inlines it
+   * into every integrator and boxes no number to pass it: the law itself reads and writes fields.
    */
   acceleration(s: number, v: number): number {
     this.atS = s
@@ -128,16 +128,18 @@ export class Motion {
     if (this.observer !== undefined) this.observer(this)
   }
 
-  /** Sets `tangential` and `weight` to what gravity comes to at `atS` on a bend. */
+  /** Sets `tangential` and `weight` to the two parts of gravity at `atS` on a bend. */
   turn(): void {
     const { direction, law } = this
+    // #region turn
     direction.angle = this.slope - this.curvature * (this.atS - this.at)
     direction.find()
     this.tangential = law.gravity * direction.sin
     this.weight = law.gravity * direction.cos
+    // #endregion
   }
 
-  /** Takes a direction of sliding, which friction opposes from now on. */
+  /** Sets the slip direction, which friction opposes from now on. */
   slide(slip: -1 | 0 | 1): void {
     this.slip = slip
     this.friction = slip * this.law.muKinetic
@@ -145,7 +147,7 @@ export class Motion {
     this.steady = this.tangential - this.friction * this.weight
   }
 
-  /** Has each evaluation of the acceleration shown to somebody, or to nobody. */
+  /** Calls `observer` after each evaluation of the acceleration; undefined ends that. */
   observe(observer: Observer | undefined): void {
     const { law, slipHeld, curvature } = this
     this.observer = observer
@@ -154,7 +156,7 @@ export class Motion {
   }
 
   /**
-   * Finds the piece of track that the block is on, or at a joint the one that it slides into, and takes up its law.
+   * Finds the piece of track that the block is on, or at a joint the one that it slides into, and adopts its law.
    * Returns false where there is no track.
    */
   enterPiece(): boolean {
@@ -185,8 +187,8 @@ export class Motion {
    * Decides for a block with v = 0 whether it moves: static friction holds it while |drive| ≤ μs press. Otherwise it
    * sets off along the drive.
    */
-  // #region rest
   setsOff(): boolean {
+    // #region rest
     this.slide(0)
     const drive = this.acceleration(this.s, 0)
     const terms = Math.abs(this.tangential) + Math.abs(this.law.stiffness * this.s)
@@ -195,14 +197,14 @@ export class Motion {
       return false
     }
     this.slide(drive > 0 ? 1 : -1)
+    // #endregion
     // At a joint it sets off into the piece on that side.
     if (this.enterPiece()) return true
     this.end('left-the-track')
     return false
   }
-  // #endregion
 
-  /** Notes the state as the beginning of a step of that length [s]. */
+  /** Records the state as the start of a step. */
   begin(): void {
     this.startS = this.s
     this.startV = this.v
@@ -210,7 +212,7 @@ export class Motion {
     this.startKnown = this.known
   }
 
-  /** Returns to the beginning of the step. */
+  /** Returns to the start of the step. */
   rewind(): void {
     this.s = this.startS
     this.v = this.startV

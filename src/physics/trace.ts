@@ -56,8 +56,8 @@ export interface PolicyStep {
 }
 
 /**
- * The steps inside one frame of an experiment, as they ran: the run is played again up to the frame with somebody
- * watching, through the same code and to the same bits as `simulate`.
+ * The steps inside one frame of an experiment, as they ran: the run is repeated up to the frame and observed
+ * there, through the same code and to the same bits as `simulate`.
  *
  * @param frame the row of the trajectory that the frame ends at, 1 or more
  * @throws ExperimentError for an experiment that can't be run, RangeError for a frame that it does not have

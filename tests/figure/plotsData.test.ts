@@ -166,12 +166,14 @@ test.each([
   [12345, '12345\u2009m'],
 ])('an error of %d m', (value, text) => expect(kind('error').of.text(value)).toBe(text))
 
-test('with drag there is no energy residual to show, and that is said', () => {
-  const { absent } = kind('energy')
-  expect(absent!(simulated({ kind: 'scene', scene: 'fall' }))).toContain('drag')
-  const still = { kind: 'parameters', values: { drag: 0 } } as const
-  expect(absent!(simulated({ kind: 'scene', scene: 'fall' }, still))).toBe('')
-  expect(absent!(simulated())).toBe('')
+test('the energy residual counts the heat of drag', () => {
+  const lab = simulated({ kind: 'scene', scene: 'fall' }, { kind: 'mode', mode: 'located' })
+  const { values } = kind('energy').of
+  for (const { trajectory } of lab.visible) {
+    const { heat, frames } = trajectory
+    expect(heat[frames]!).toBeGreaterThan(1)
+    expect(Math.abs(values(trajectory)[frames]!)).toBeLessThan(0.05 * heat[frames]!)
+  }
 })
 
 test('a table has a row for each of at most 25 even times, with the nearest frames', () => {

@@ -31,7 +31,7 @@ export function wordsAfter(
     }
     if (stretch.ends === 'cut')
       said.push(
-        say`The step is cut after ${kept.dt} s: over the whole of it the force would change too much for one step.`,
+        say`The step is cut to ${kept.dt} s: over its whole length the force would change too much for a single step.`,
       )
     if (stretch.ends === 'joint')
       said.push(say`It came to the joint at s = ${kept.to.s} m ${when}.`)

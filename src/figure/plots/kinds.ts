@@ -11,8 +11,6 @@ export interface PlotKind {
   /** Undefined: over time. */
   readonly over?: Quantity
   readonly of: Quantity
-  /** Why there is nothing to see, where that is so. */
-  absent?(simulated: Simulated): string
 }
 
 /** Every plot of the lab, in the order in which they stand. */
@@ -40,12 +38,9 @@ export const plotKinds: readonly PlotKind[] = [
   {
     id: 'energy',
     title: 'Energy residual',
-    caption: () => 'kinetic + potential + heat − what there was at the start; 0 is right',
+    caption: () =>
+      'kinetic + potential + heat of friction and drag − what there was at the start; 0 is right',
     of: energy,
-    absent: ({ state }) =>
-      state.parameters.drag
-        ? 'Energy does not add up while the air takes some of it: the heat of drag is not counted. Set the drag to 0 to see the residual.'
-        : '',
   },
 ]
 

@@ -124,8 +124,7 @@ export class LabPlot extends LitElement {
 
   override render() {
     const { kind, simulated, hover, time, near } = this
-    const absent = kind.absent?.(simulated)
-    const readings = near && !absent ? readingsAt(kind, simulated, hover ?? time) : []
+    const readings = near ? readingsAt(kind, simulated, hover ?? time) : []
     const { over, title } = kind
     return html`<figure>
       <figcaption>
@@ -141,13 +140,7 @@ export class LabPlot extends LitElement {
         @pointerleave=${() => this.point(undefined)}
         @pointerdown=${this.press}
       >
-        ${
-          near
-            ? html`<canvas class="chart" ?hidden=${absent}></canvas>
-                <canvas class="cursor" ?hidden=${absent}></canvas>`
-            : nothing
-        }
-        ${absent ? html`<p class="absent">${absent}</p>` : nothing}
+        ${near ? html`<canvas class="chart"></canvas> <canvas class="cursor"></canvas>` : nothing}
       </div>
       ${plotValues(kind, simulated, readings, this.writeOut)}
       <output class="visually-hidden">${this.told}</output>
@@ -169,16 +162,13 @@ export class LabPlot extends LitElement {
   private readonly writeOut = (event: PointerEvent): void => {
     const item = (event.target as Element).closest('li')
     const { kind, simulated, time } = this
-    const reading =
-      item &&
-      !kind.absent?.(simulated) &&
-      readingsAt(kind, simulated, time)[Number(item.dataset.index)]
+    const reading = item && readingsAt(kind, simulated, time)[Number(item.dataset.index)]
     if (reading) item.title = inFull(kind, reading)
   }
 
   private draw(): void {
     const { near, kind, simulated, selected, width, height } = this
-    if (!near || width === 0 || kind.absent?.(simulated)) return
+    if (!near || width === 0) return
     const wanted = [simulated, selected, width, height]
     if (wanted.some((each, i) => each !== this.drawn[i])) {
       this.drawn = wanted
@@ -195,7 +185,7 @@ export class LabPlot extends LitElement {
     const { time } = this.playback
     const canvas = this.querySelector<HTMLCanvasElement>('canvas.cursor')
     // Until it has come near, and until the chart shows the same.
-    if (!canvas || !drawing || this.drawn[0] !== simulated || kind.absent?.(simulated)) return
+    if (!canvas || !drawing || this.drawn[0] !== simulated) return
     const readings = readingsAt(kind, simulated, hover ?? time)
     drawCursor(canvas, { drawing, width, height, time, hover, readings }, palette!)
   }
@@ -204,7 +194,7 @@ export class LabPlot extends LitElement {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => {
       const { kind, simulated, time } = this
-      this.told = kind.absent?.(simulated) || spoken(kind, readingsAt(kind, simulated, time), time)
+      this.told = spoken(kind, readingsAt(kind, simulated, time), time)
     }, PAUSE)
   }
 
