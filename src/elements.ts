@@ -1,5 +1,5 @@
-import { defineParts } from './figure/defineParts.ts'
-import { setSite } from './figure/site.ts'
+import { defineParts } from './lab/defineParts.ts'
+import { setSite } from './lab/site.ts'
 import { SlideFigureElement } from './elements/figure.ts'
 import { SlideLabElement } from './elements/lab.ts'
 

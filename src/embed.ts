@@ -1,5 +1,5 @@
 /* The page for frames of other pages: one lab, without the rest of the page around it. */
-import './figure/define.ts'
-import { answerPage } from './figure/share/frameTalk.ts'
+import './panels/define.ts'
+import { answerPage } from './panels/share/frameTalk.ts'
 
 answerPage(document.querySelector('main')!)

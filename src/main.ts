@@ -6,7 +6,7 @@ const links = new EarlyLinks()
 requestAnimationFrame(() => setTimeout(comeAlive))
 
 async function comeAlive(): Promise<void> {
-  await import('./figure/define.ts')
+  await import('./panels/define.ts')
   // The lab comes first: the figures are pictures until they are near, and the text needs no script.
   await import('./reading.ts')
   links.follow()

@@ -1,3 +1,3 @@
 /* What the page has besides its lab. */
-import './figure/defineFigure.ts'
+import './figures/element/defineFigure.ts'
 import './tutorial/index.ts'

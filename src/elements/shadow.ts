@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
-import { onSight } from '../figure/sight.ts'
-import { themeChanged } from '../figure/theme.ts'
+import { onSight } from '../ui/sight.ts'
+import { themeChanged } from '../ui/theme.ts'
 import { styles } from './styles.ts'
 
 const printing = ['beforeprint', 'afterprint'] as const

@@ -1,5 +1,5 @@
-import { moved } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import { moved } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
 import { markOf } from './marks.ts'
 import type { Spot } from './projection.ts'
 

@@ -1,11 +1,11 @@
 import type { Actor } from './actors.ts'
 import { top } from './body.ts'
-import { clamp } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
 import type { Placed } from './labels.ts'
 import type { Layout } from './layout.ts'
-import { place, seconds } from './numbers.ts'
+import { place, seconds } from '../chart/numbers.ts'
 import type { Picture } from './picture.ts'
-import { widthOf } from './text.ts'
+import { widthOf } from '../chart/text.ts'
 
 /** More labels than this say only whose they are. */
 const WORDY = 4

@@ -1,11 +1,11 @@
 import { centre, top } from './body.ts'
 import { MARK, partsOf } from './caption.ts'
 import type { Caption } from './caption.ts'
-import type { Box } from './geometry.ts'
+import type { Box } from '../chart/geometry.ts'
 import type { Placed } from './labels.ts'
 import { markOf } from './marks.ts'
 import type { Palette } from './palette.ts'
-import { write } from './text.ts'
+import { write } from '../chart/text.ts'
 
 /** A caption, and where it is written. */
 export interface Written {

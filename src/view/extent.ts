@@ -1,5 +1,5 @@
 import type { ExactMotion, Trajectory } from '../physics/index.ts'
-import { clamp } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
 import type { Picture } from './picture.ts'
 import { samplesOf } from './samples.ts'
 

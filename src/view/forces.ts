@@ -1,8 +1,8 @@
 import type { Actor } from './actors.ts'
 import { centre } from './body.ts'
 import type { Body } from './body.ts'
-import { around, moved, overlap } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import { around, moved, overlap } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { ArrowId, Picture, PictureVector } from './picture.ts'
 

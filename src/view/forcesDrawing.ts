@@ -1,8 +1,8 @@
 import { drawArrow } from './arrows.ts'
 import type { ForceArrow } from './forces.ts'
-import type { Point } from './geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 import type { Palette } from './palette.ts'
-import { write } from './text.ts'
+import { write } from '../chart/text.ts'
 
 /** Draws the arrows on a block, gravity's parts dashed, and the letters at the tips. */
 export function drawForces(

@@ -1,5 +1,5 @@
 import type { Parameters } from '../physics/index.ts'
-import type { Point } from './geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'

@@ -1,5 +1,5 @@
 import type { ExactMotion, Parameters, Scene, Trajectory } from '../physics/index.ts'
-import type { Point } from './geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 
 /** One simulated block in a picture. */
 export interface PictureRunner {

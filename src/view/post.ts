@@ -1,10 +1,10 @@
-import { fixed } from './numbers.ts'
+import { fixed } from '../chart/numbers.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
-import { roundAbove } from './round.ts'
-import { write } from './text.ts'
+import { roundAbove } from '../chart/round.ts'
+import { write } from '../chart/text.ts'
 
 /** What a fall has instead of a track: a post beside it with a scale of metres, which counts from the start. */
 export function drawPost(

@@ -1,8 +1,8 @@
 import type { Layout } from './layout.ts'
-import { metres } from './numbers.ts'
+import { metres } from '../chart/numbers.ts'
 import type { Palette } from './palette.ts'
-import { roundBelow } from './round.ts'
-import { widthOf, write } from './text.ts'
+import { roundBelow } from '../chart/round.ts'
+import { widthOf, write } from '../chart/text.ts'
 
 /** A bar of a round length, in the ground at the lower right. */
 export function drawScaleBar(

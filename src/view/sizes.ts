@@ -1,4 +1,4 @@
-import { clamp } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
 import type { Picture } from './picture.ts'
 
 /** What is so many pixels large whatever the scale. */

@@ -9,7 +9,7 @@ import type { Handle, HandleId, Picture } from './picture.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
 import { standingAt } from './standing.ts'
-import { forgetWidths } from './text.ts'
+import { forgetWidths } from '../chart/text.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
 export class Stage {

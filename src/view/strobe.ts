@@ -1,5 +1,5 @@
 import type { Trajectory } from '../physics/index.ts'
-import { clamp, moved } from './geometry.ts'
+import { clamp, moved } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture, PictureRunner } from './picture.ts'

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest'
 import { frameClocks, integrators, scenes, stoppings, timesteps } from '../../src/physics/index.ts'
 import type { Option } from '../../src/physics/index.ts'
-import { modes } from '../../src/figure/modes.ts'
-import { openingOf } from '../../src/figure/opening.ts'
+import { modes } from '../../src/lab/state/modes.ts'
+import { openingOf } from '../../src/lab/state/opening.ts'
 import { openLab } from './labPage.ts'
 import type { Picture } from './picture.ts'
 

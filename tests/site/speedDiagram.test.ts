@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { opening } from '../../src/figure/opening.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import {
   presentationErrors,
   sweepMethods,

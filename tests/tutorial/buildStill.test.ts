@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, expect, test } from 'vitest'
-import { figures } from '../../src/figure/figures/index.ts'
+import { figures } from '../../src/figures/index.ts'
 import { textWidth } from '../../src/tutorial/build/still/advances.ts'
 import { figureStill } from '../../src/tutorial/build/still/figureStill.ts'
 import { labStill } from '../../src/tutorial/build/still/labStill.ts'

@@ -1,5 +1,5 @@
 import { ExperimentError } from '../../physics/index.ts'
-import { readAddress } from '../../figure/address.ts'
+import { readAddress } from '../../lab/state/address.ts'
 import type { Book } from './book.ts'
 import { presetOf, wrongValue } from './presets.ts'
 import type { Place } from './problem.ts'

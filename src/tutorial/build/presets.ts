@@ -1,4 +1,4 @@
-import { readValues } from '../../figure/figures/control.ts'
+import { readValues } from '../../figures/shared/control.ts'
 import type { FigureInfo } from './materials.ts'
 import { instead } from './problem.ts'
 

@@ -1,6 +1,6 @@
 import { frameRateSpread, spreadOf } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
-import { count, metres, place } from '../../view/numbers.ts'
+import { count, metres, place } from '../../chart/numbers.ts'
 import { at, end, kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'
 

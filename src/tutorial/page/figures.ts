@@ -1,4 +1,4 @@
-/** As much of `<slide-figure>` as the text around it uses: see src/figure/slideFigure.ts. */
+/** As much of `<slide-figure>` as the text around it uses: see src/figures/element/slideFigure.ts. */
 export interface LiveFigure extends HTMLElement {
   readonly values: Readonly<Record<string, unknown>>
   /** The arrow that is set off from the others. */

@@ -1,5 +1,5 @@
-import type { Figure } from '../../../figure/figures/figure.ts'
-import { drawStill, heightOf } from '../../../figure/figures/still.ts'
+import type { Figure } from '../../../figures/shared/figure.ts'
+import { drawStill, heightOf } from '../../../figures/shared/still.ts'
 import { attributes } from '../html.ts'
 import { stillPalette } from './palette.ts'
 import { svgOf } from './svgCanvas.ts'

@@ -1,0 +1,88 @@
+import { html, nothing } from 'lit'
+import type { Trajectory } from '../../physics/index.ts'
+import { raw } from '../../chart/numbers.ts'
+import { atNow } from '../../lab/playback/atNow.ts'
+import type { Values } from '../shared/control.ts'
+import type { Figure, View } from '../shared/figure.ts'
+import type { Playback } from '../../lab/playback/playback.ts'
+import { controlsOf } from './controls.ts'
+import { transportOf } from './transport.ts'
+
+/** What a live figure is made from. */
+export interface Face {
+  readonly figure: Figure
+  readonly values: Values
+  readonly runs: readonly Trajectory[]
+  readonly playback: Playback
+  readonly spoken: string
+  /** What takes the place of the pictures. */
+  readonly guest: HTMLElement | undefined
+  readonly lit: string | undefined
+  readonly set: (values: Readonly<Record<string, unknown>>) => void
+}
+
+/** A figure: its pictures, the controls below them, the outcome. */
+export function face(shown: Face) {
+  const { figure, values, runs, playback, spoken, guest } = shown
+  const says = atNow(playback, (time) => figure.says(values, runs, time))
+  return html`<div
+      part="pictures"
+      class="pictures ${guest ? 'hosted' : ''}"
+      @change=${hush}
+      @input=${hush}
+    >
+      ${guest ? withHeading(figure, guest) : pictures(shown)}
+    </div>
+    <div class="below" @change=${hush} @input=${hush}>
+      ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
+      <p class="says" part="outcome">${says}</p>
+      <p class="visually-hidden" aria-live="polite">${spoken}</p>
+    </div>`
+}
+
+/** A guest has headings of its own, under one of the figure’s. */
+function withHeading({ title }: Figure, guest: HTMLElement) {
+  return html`<h3 class="visually-hidden">${title}</h3>
+    ${guest}`
+}
+
+function pictures({ figure, values, runs, playback, lit, set }: Face) {
+  const view = (time: number): View => ({ values, runs, time, lit })
+  return figure.panels.map(
+    (panel, i) =>
+      html`<figure-picture
+        .panel=${panel}
+        .controls=${figure.controls}
+        .view=${view}
+        .values=${values}
+        .shining=${lit}
+        .playback=${playback}
+        .set=${set}
+        .description=${i === 0 ? figure.pictured : ''}
+      ></figure-picture>`,
+  )
+}
+
+/** A field's own event is none of the figure's. */
+function hush(event: Event): void {
+  event.stopPropagation()
+}
+
+function readings({ figure, values, runs, playback }: Face) {
+  const { readings } = figure
+  if (!readings) return nothing
+  return html`<dl class="readings" part="readings">
+    ${readings(values, runs, playback.time).map(({ label, raw: whole, colour }, i) => {
+      const text = atNow(playback, (time) => readings(values, runs, time)[i]!.text)
+      return html`<div>
+        <dt>${label}</dt>
+        <dd
+          .style=${colour ? `color: var(${colour})` : ''}
+          title=${whole === undefined ? nothing : raw(whole)}
+        >
+          ${text}
+        </dd>
+      </div>`
+    })}
+  </dl>`
+}

@@ -1,0 +1,74 @@
+import { html } from 'lit'
+import { integrators, stoppings, timesteps } from '../../physics/index.ts'
+import { REFERENCE_RATE } from '../../measure/index.ts'
+import type { MethodChoice } from '../../measure/index.ts'
+import { menu } from '../../ui/menu.ts'
+import { choose } from '../../lab/state/state.ts'
+import type { RunnerState } from '../../lab/state/state.ts'
+import { parametersOf } from './mapWish.ts'
+import type { MapWish } from './mapWish.ts'
+import type { Measuring } from './measuring.ts'
+import { progress } from './progress.ts'
+import { segments } from '../../ui/segments.ts'
+
+const shown = [
+  { id: 'error', label: 'Error' },
+  { id: 'spread', label: `Spread against ${REFERENCE_RATE} fps` },
+] as const
+
+/** What a map shows, to be chosen, and how far it is measured. */
+export function mapControls(
+  { experiment, of, parameter, method }: MapWish,
+  wish: (change: Partial<MapWish>) => void,
+  measuring: Measuring,
+) {
+  const set = (values: Partial<MethodChoice>) => {
+    wish({ method: { ...method, ...values } as MethodChoice })
+    return true
+  }
+  const parameters = Object.entries(parametersOf(experiment)).map(([id, { label }]) => {
+    return { id, label, about: `What runs upwards: ${label.toLowerCase()}` }
+  })
+  return html`<div class="measure-controls">
+    ${segments({
+      label: 'What the colours show',
+      list: shown,
+      chosen: of,
+      pick: ({ id }) => wish({ of: id }),
+    })}
+    <label class="choose"
+      >Frame rate ×
+      ${menu({
+        label: 'Parameter of the map',
+        list: parameters,
+        chosen: parameter,
+        pick: (id) => {
+          wish({ parameter: id })
+          return true
+        },
+      })}
+    </label>
+    <span class="choose">
+      ${menu({
+        label: 'Integrator of the map',
+        list: integrators,
+        chosen: method.integrator,
+        pick: (id) => set({ integrator: id as MethodChoice['integrator'] }),
+      })}
+      ${menu({
+        label: 'Stopping rule of the map',
+        list: stoppings,
+        chosen: method.stopping,
+        pick: (id) => set({ stopping: id as MethodChoice['stopping'] }),
+      })}
+      ${menu({
+        label: 'Time step of the map',
+        list: timesteps,
+        chosen: method.timestep.kind,
+        pick: (id) =>
+          set({ timestep: choose('timestep', id, method.timestep as RunnerState['timestep']) }),
+      })}
+    </span>
+    ${progress(measuring)}
+  </div>`
+}

@@ -1,0 +1,73 @@
+import { counts, isExact, orderOfCurve, outcomeKinds } from '../../measure/index.ts'
+import type { SweepCurve } from '../../measure/index.ts'
+import { integrators } from '../../physics/index.ts'
+import type { Integrator, IntegratorId, Outcome } from '../../physics/index.ts'
+import { fixed } from '../../chart/numbers.ts'
+
+/** One run of a diagram: what it cost, and the error that this bought. */
+export interface DiagramPoint {
+  readonly method: IntegratorId
+  /** Steps a second. */
+  readonly rate: number
+  /** For a simulated second. */
+  readonly cost: number
+  /** The largest of the run [m]. */
+  readonly error: number
+  readonly outcome: Outcome['kind']
+  /** Its error says something: it ran to its end, and the truth is known. */
+  readonly whole: boolean
+  /** The runner of the lab whose run it is, if it is one's. */
+  readonly runner?: DiagramRunner
+}
+
+/** Whose run a point is. */
+export interface DiagramRunner {
+  readonly name: string
+  /** Place in the palette and the list of marks. */
+  readonly look: number
+  /** Its stopping rule or its time step is not that of the curves: it lies beside its method's. */
+  readonly apart: boolean
+}
+
+/** What one method did. */
+export interface DiagramCurve {
+  readonly method: IntegratorId
+  readonly label: string
+  /** Place in the palette and the list of marks. */
+  readonly look: number
+  readonly points: readonly DiagramPoint[]
+  /** What was found of its order, in a word or two. */
+  readonly order: string
+  readonly exact: boolean
+}
+
+/** The curves of a diagram, from the sweep's numbers and what each point costs. */
+export function diagramCurves(
+  curves: readonly SweepCurve[],
+  rates: readonly number[],
+  costs: (curve: SweepCurve) => Float64Array | undefined,
+): DiagramCurve[] {
+  return curves.flatMap((curve) => {
+    const { label, colour }: Integrator = integrators.find(({ id }) => id === curve.method)!
+    const cost = costs(curve)
+    if (!cost) return []
+    const points = rates.map((rate, i) => ({
+      method: curve.method,
+      rate,
+      cost: cost[i]!,
+      error: curve.errors[i]!,
+      outcome: outcomeKinds[curve.outcomes[i]!]!,
+      whole: counts(curve, i),
+    }))
+    const order = orderText(curve, rates)
+    return [{ method: curve.method, label, look: colour, points, order, exact: isExact(curve) }]
+  })
+}
+
+function orderText(curve: SweepCurve, rates: readonly number[]): string {
+  if (isExact(curve)) return 'exact to rounding'
+  const order = orderOfCurve(curve, rates)
+  if (Number.isFinite(order)) return `order ${fixed(order, 1)}`
+  const whole = rates.some((_, i) => counts(curve, i))
+  return whole ? 'order not to be seen' : 'no run to its end'
+}

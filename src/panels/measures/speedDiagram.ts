@@ -1,0 +1,158 @@
+import { html, LitElement, nothing } from 'lit'
+import { stoppings } from '../../physics/index.ts'
+import type { Experiment, StoppingId } from '../../physics/index.ts'
+import { sweptExperiment } from '../../measure/index.ts'
+import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
+import { menu } from '../../ui/menu.ts'
+import type { SimulatedRunner } from '../../lab/state/simulation.ts'
+import { areaSize } from './areaSize.ts'
+import { costKinds } from './costs.ts'
+import type { CostKind } from './costs.ts'
+import { diagramAdvice } from './diagramAdvice.ts'
+import { diagramDrawing } from './diagramDrawing.ts'
+import { curveKey, ringKey } from './diagramKeys.ts'
+import { layOut } from './diagramLayout.ts'
+import type { DiagramLayout, Spot } from './diagramLayout.ts'
+import { diagramTable } from './diagramTable.ts'
+import { pointName, pointWords } from './diagramWords.ts'
+import { labRunners } from './labRunners.ts'
+import { loadByAddress } from './loading.ts'
+import type { Measured } from './loading.ts'
+import { Measuring } from './measuring.ts'
+import type { DiagramPoint } from './points.ts'
+import { progress } from './progress.ts'
+import { segments } from '../../ui/segments.ts'
+import { spotChoice, spotNamed } from './spotChoice.ts'
+import { Curves, curvesAt, missing, sweepRequest } from './sweptCurves.ts'
+import { tableFold } from '../../ui/tableFold.ts'
+
+/**
+ * Speed against error: what each method costs in a scene, and the error that this buys, measured while it can be seen.
+ *
+ * - attribute or property `experiment`: the scene, its parameters and the duration, as JSON; its method and frames say
+ *   nothing
+ * - `runners`: of the lab that it stands in, to be seen among the curves
+ * - `load`: called with the run that the reader wants to see; without it the page's own lab shows it
+ */
+export class SpeedDiagram extends LitElement {
+  static override properties = {
+    experiment: { type: Object },
+    runners: { attribute: false },
+    stopping: { state: true },
+    kind: { state: true },
+  }
+
+  declare experiment: Experiment
+  declare runners: readonly SimulatedRunner[]
+  /** Not reactive: a fresh closure is no reason to draw again. */
+  load: (measured: Measured) => void = loadByAddress
+  /** Where everything is that was drawn last, if anything was. */
+  layout: DiagramLayout | undefined
+  declare private stopping: StoppingId
+  /** What a simulated second costs. */
+  declare private kind: CostKind
+  private readonly size = areaSize(this)
+  private readonly choice = spotChoice(this)
+  private readonly fold = tableFold(this)
+  private readonly swept = new Curves<SweepCurve>()
+  private readonly timed = new Curves<TimedCurve>()
+  private readonly measuring: Measuring = new Measuring(this, (task, parts, fresh) => {
+    if (task.kind === 'sweep') this.swept.take(task.request, parts as SweepCurve[], fresh)
+    if (task.kind === 'timing') this.timed.take(task.request, parts as TimedCurve[], fresh)
+  })
+
+  constructor() {
+    super()
+    this.experiment = { scene: 'half-pipe' }
+    this.stopping = 'located'
+    this.kind = costKinds[0]!
+    this.runners = []
+  }
+
+  override createRenderRoot(): this {
+    return this
+  }
+
+  override willUpdate(): void {
+    this.measuring.want(missing(this.request, this.kind, this.swept, this.timed))
+  }
+
+  override render() {
+    const { request, size, stopping, measuring, kind, choice } = this
+    const curves = curvesAt(kind, this.swept, this.timed)
+    const isCurrent = this.swept.areOf(request)
+    const runners = labRunners(
+      this.runners,
+      { stopping, duration: request.experiment.duration! },
+      kind.id === 'time' ? curves : undefined,
+    )
+    const points = runners.flatMap(({ point }) => (point && isCurrent ? [point] : []))
+    this.layout = size.width > 0 && curves.length > 0 ? layOut(curves, size, points) : undefined
+    const spot = spotNamed(this.layout, choice.chosen)
+    return html`<div class="measure" ?data-busy=${measuring.busy}>
+      ${this.controls()}
+      ${choice.area(
+        html`${this.layout ? diagramDrawing(this.layout, kind, spot) : nothing}
+        ${request.experiment.duration === 0 ? html`<p class="absent">A run of 0 s costs nothing and is never wrong.</p>` : nothing}`,
+      )}
+      ${curveKey(curves)} ${runners.length > 0 ? ringKey(runners) : nothing}
+      <p class="read-out">${this.readOut(spot)}</p>
+      <output class="visually-hidden">${choice.told}</output>
+      ${this.fold('speed against error', () => diagramTable(curves, points, kind))}
+      ${diagramAdvice(curves, kind.label, (point) => this.show(point))}
+    </div>`
+  }
+
+  private controls() {
+    return html`<div class="measure-controls">
+      ${segments({
+        label: 'What a simulated second costs',
+        list: costKinds,
+        chosen: this.kind.id,
+        pick: (kind) => (this.kind = kind),
+      })}
+      <label class="choose">
+        Stops
+        ${menu({
+          label: 'Stopping rule of the diagram',
+          list: stoppings,
+          chosen: this.stopping,
+          pick: (id) => {
+            this.stopping = id as StoppingId
+            return true
+          },
+        })}
+      </label>
+      ${progress(this.measuring)}
+    </div>`
+  }
+
+  private readOut(spot: Spot | undefined) {
+    return spot
+      ? html`<b>${pointName(spot.point)}</b>: ${this.words(spot.point)}.
+          ${spot.point.runner ? nothing : html`<span class="soft">Click to see it in the lab.</span>`}`
+      : html`<span class="soft"
+          >Further down is better, further left is cheaper; the grey band joins the best. Point at a
+          mark to read it.</span
+        >`
+  }
+
+  /** What a point says, in a sentence. */
+  words(point: DiagramPoint): string {
+    return pointWords(point, this.kind)
+  }
+
+  /** Has a point's run shown; a runner's is there already. */
+  show(point: DiagramPoint): void {
+    if (point.runner) return
+    this.load({
+      experiment: sweptExperiment(this.request, point.method, point.rate),
+      label: pointName(point),
+      words: `It is ${this.words(point)}.`,
+    })
+  }
+
+  private get request(): SweepRequest {
+    return sweepRequest(this.experiment, this.stopping)
+  }
+}

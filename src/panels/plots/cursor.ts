@@ -1,0 +1,106 @@
+import type { Box, Point } from '../../chart/geometry.ts'
+import { markOf } from '../../view/marks.ts'
+import type { Palette } from '../../view/palette.ts'
+import { boxOf, clip } from './box.ts'
+import { EXACT } from './curves.ts'
+import type { Drawing } from './curves.ts'
+import { cleared } from '../../chart/pen.ts'
+import type { Reading } from './readings.ts'
+
+/** What a plot's cursor points at. */
+export interface Pointed {
+  readonly drawing: Drawing
+  /** Of the canvas [px]. */
+  readonly width: number
+  readonly height: number
+  /** Of the transport [s]. */
+  readonly time: number
+  /** Where a pointer is, if it is over a plot [s]. */
+  readonly hover: number | undefined
+  /** Of the time that is looked at. */
+  readonly readings: readonly Reading[]
+}
+
+/** Draws the transport's time, that of the pointer, and each runner's mark at its value then. */
+export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette: Palette): void {
+  const { drawing, width, height, time, hover, readings } = pointed
+  const pen = cleared(canvas, width, height)
+  const box = boxOf(width, height)
+  pen.save()
+  clip(pen, box, 6)
+  if (drawing.stepped) {
+    drawLine(pen, drawing, box, time, palette.accent, hover === undefined ? 1.5 : 1)
+    if (hover !== undefined) drawLine(pen, drawing, box, hover, palette.ink, 1)
+  }
+  for (const { look, x, y } of readings) {
+    const over = drawing.stepped ? (hover ?? time) : x
+    const spot = spotOf(drawing, box, over, y)
+    if (!Number.isFinite(spot.x) || !Number.isFinite(spot.y)) continue
+    pen.lineWidth = 3
+    pen.strokeStyle = palette.sheet
+    pen.fillStyle = look === EXACT ? palette.ink : palette.runners[look]!.fill
+    const mark = look === EXACT ? disc() : markOf(look, 5.5)
+    pen.translate(spot.x, spot.y)
+    pen.stroke(mark)
+    pen.fill(mark)
+    pen.translate(-spot.x, -spot.y)
+  }
+  pen.restore()
+}
+
+/** Where values stand in a chart [px]. */
+function spotOf({ across, up }: Drawing, box: Box, x: number, y: number): Point {
+  const part = (at: number, { from, to }: { from: number; to: number }) => (at - from) / (to - from)
+  return {
+    x: box.left + part(across.at(x), across) * (box.right - box.left),
+    y: box.bottom - part(up.at(y), up) * (box.bottom - box.top),
+  }
+}
+
+/** The time that a point of a chart belongs to [s]: over time that below it, else that of the nearest frame shown. */
+export function timeAt({ across, up, curves, stepped }: Drawing, box: Box, point: Point): number {
+  const part = (point.x - box.left) / (box.right - box.left)
+  if (stepped)
+    return Math.min(
+      across.to,
+      Math.max(across.from, across.from + part * (across.to - across.from)),
+    )
+  const width = (box.right - box.left) / (across.to - across.from)
+  const height = (box.bottom - box.top) / (up.to - up.from)
+  let nearest = Infinity
+  let time = 0
+  for (const curve of curves) {
+    for (let i = 0; i < curve.x.length; i++) {
+      const x = box.left + (curve.x[i]! - across.from) * width
+      const y = box.bottom - (curve.y[i]! - up.from) * height
+      const distance = (x - point.x) ** 2 + (y - point.y) ** 2
+      if (distance >= nearest) continue
+      nearest = distance
+      time = curve.time[i]!
+    }
+  }
+  return time
+}
+
+function drawLine(
+  pen: CanvasRenderingContext2D,
+  drawing: Drawing,
+  box: Box,
+  time: number,
+  colour: string,
+  width: number,
+): void {
+  const { x } = spotOf(drawing, box, time, 0)
+  pen.strokeStyle = colour
+  pen.lineWidth = width
+  pen.beginPath()
+  pen.moveTo(x, box.top)
+  pen.lineTo(x, box.bottom)
+  pen.stroke()
+}
+
+function disc(): Path2D {
+  const path = new Path2D()
+  path.arc(0, 0, 3, 0, 2 * Math.PI)
+  return path
+}

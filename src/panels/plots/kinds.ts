@@ -1,0 +1,56 @@
+import type { Simulated } from '../../lab/state/simulation.ts'
+import { energy, error, position, shownPosition, speed } from './quantity.ts'
+import type { Quantity } from './quantity.ts'
+
+/** One of the plots: a quantity over time, or over another quantity. */
+export interface PlotKind {
+  readonly id: string
+  readonly title: string
+  /** What it shows, in a few words. */
+  caption(simulated: Simulated): string
+  /** Undefined: over time. */
+  readonly over?: Quantity
+  readonly of: Quantity
+  /** Why there is nothing to see, where that is so. */
+  absent?(simulated: Simulated): string
+}
+
+/** Every plot of the lab, in the order in which they stand. */
+export const plotKinds: readonly PlotKind[] = [
+  {
+    id: 'position',
+    title: 'Position',
+    caption: ({ scene }) => `as each frame shows it; ${forwards(scene.id)} is plus`,
+    of: shownPosition,
+  },
+  { id: 'speed', title: 'Speed', caption: () => 'along the track', of: speed },
+  {
+    id: 'phase',
+    title: 'Speed over position',
+    caption: () => 'one point a frame: the state of the physics',
+    over: position,
+    of: speed,
+  },
+  {
+    id: 'error',
+    title: 'Error',
+    caption: () => 'distance from the exact block, by powers of ten',
+    of: error,
+  },
+  {
+    id: 'energy',
+    title: 'Energy residual',
+    caption: () => 'kinetic + potential + heat − what there was at the start; 0 is right',
+    of: energy,
+    absent: ({ state }) =>
+      state.parameters.drag
+        ? 'Energy does not add up while the air takes some of it: the heat of drag is not counted. Set the drag to 0 to see the residual.'
+        : '',
+  },
+]
+
+/** The direction of growing s, in words. */
+function forwards(scene: string): string {
+  if (scene === 'fall') return 'down'
+  return scene === 'half-pipe' ? 'to the right' : 'down the slope'
+}

@@ -1,0 +1,63 @@
+import { raw, seconds } from '../../chart/numbers.ts'
+import { rowAt } from '../../view/timeline.ts'
+import type { Simulated } from '../../lab/state/simulation.ts'
+import { EXACT } from './curves.ts'
+import type { PlotKind } from './kinds.ts'
+
+/** What a runner, or the exact block, shows in a plot at a time. */
+export interface Reading {
+  readonly name: string
+  /** Of its runner, or EXACT. */
+  readonly look: number
+  /** Across and up. */
+  readonly x: number
+  readonly y: number
+  readonly text: string
+  /** Of the frame that shows it [s]. */
+  readonly time: number
+}
+
+/** The values of every visible runner at the last of its frames by then, and the exact ones of that very time [s]. */
+export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): Reading[] {
+  const { exact, visible } = simulated
+  const { over, of } = kind
+  const readings = visible.map(({ name, trajectory, state: { look } }): Reading => {
+    const row = rowAt(trajectory, time)
+    const frame = trajectory.time[row]!
+    const x = over ? over.values(trajectory)[row]! : frame
+    return reading(kind, name, look, x, of.values(trajectory)[row]!, frame)
+  })
+  if (!of.ofExact) return readings
+  const state = exact(time, { s: 0, v: 0 })
+  const x = over ? over.ofExact!(state) : time
+  return [...readings, reading(kind, 'exact', EXACT, x, of.ofExact(state), time)]
+}
+
+/** The readings in a sentence. */
+export function spoken({ title }: PlotKind, readings: readonly Reading[], time: number): string {
+  const values = readings.map(({ name, text }) => `${name} ${text}`)
+  return `${title} at ${seconds(time)}: ${values.join(', ')}.`
+}
+
+/** A reading with every digit, and the time of the frame that shows it. */
+export function inFull({ over, of }: PlotKind, { name, x, y, time }: Reading): string {
+  const figures = [...(over ? [`${raw(x)} ${over.unit}`] : []), `${raw(y)} ${of.unit}`]
+  return `${name}: ${figures.join(', ')}, at t = ${raw(time)} s`
+}
+
+function reading(
+  { over, of }: PlotKind,
+  name: string,
+  look: number,
+  x: number,
+  y: number,
+  time: number,
+): Reading {
+  return {
+    ...{ name, look, x, y, time },
+    // Only when it is to be read: cursors are drawn more often.
+    get text() {
+      return over ? `${over.text(x)}, ${of.text(y)}` : of.text(y)
+    },
+  }
+}

@@ -1,0 +1,3 @@
+import { FrameStrip } from './frameStrip.ts'
+
+customElements.define('frame-strip', FrameStrip)
