@@ -1,14 +1,15 @@
-import { fixed, plain } from './numbers.ts'
-import { roundAbove, toStep } from './round.ts'
-import { ROUNDING } from '../panels/plots/quantity.ts'
+import { decadeAbove, decadeBelow, decadeTick } from './magnitudes.ts'
+import { fixed, plain, ROUNDING } from './numbers.ts'
+import { decimalsOf, roundAbove, toStep } from './ticks.ts'
 
 /** A tick of an axis, and what is written at it. */
 export interface Tick {
+  /** Between the axis's `from` and `to`. */
   readonly at: number
   readonly label: string
 }
 
-/** A stretch of numbers laid out evenly. */
+/** A range of values laid out evenly, or by powers of ten. */
 export interface Axis {
   readonly from: number
   readonly to: number
@@ -18,7 +19,20 @@ export interface Axis {
   readonly ticks: (most: number) => Tick[]
 }
 
-const thin = '\u2009'
+/** Where the points of an axis, `from` … `to`, are drawn between two places [px]. */
+export function drawnBetween({ from, to }: Pick<Axis, 'from' | 'to'>, start: number, end: number) {
+  const scale = (end - start) / (to - from)
+  return (at: number): number => start + (at - from) * scale
+}
+
+/** The multiples of a round step between two values, in ascending order: at most so many, apart from one at 0. */
+export function roundTicks(from: number, to: number, most: number) {
+  const step = roundAbove(Math.abs(to - from) / Math.max(1, most))
+  const first = Math.ceil(Math.min(from, to) / step - 1e-9)
+  const last = Math.floor(Math.max(from, to) / step + 1e-9)
+  const length = Math.max(0, last - first + 1)
+  return { step, values: Array.from({ length }, (_, i) => toStep((first + i) * step, step)) }
+}
 
 /** An axis for values as they are, with a little room beyond them where `padded`. */
 export function linearAxis(from: number, to: number, unit: string, padded = true): Axis {
@@ -27,20 +41,53 @@ export function linearAxis(from: number, to: number, unit: string, padded = true
     from: from - room,
     to: to + room,
     at: (value) => value,
-    ticks: (most) => linearTicks(from - room, to + room, unit, most),
+    ticks: (most) => {
+      const { step, values } = roundTicks(from - room, to + room, most)
+      const decimals = decimalsOf(step)
+      return values.map((at) => {
+        const number = decimals > 4 || Math.abs(at) >= 1e5 ? plain(at) : fixed(at, decimals)
+        return { at, label: `${number}\u2009${unit}` }
+      })
+    },
   }
 }
 
-function linearTicks(from: number, to: number, unit: string, most: number): Tick[] {
-  const step = roundAbove((to - from) / Math.max(1, most))
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
-  const ticks: Tick[] = []
-  for (let i = Math.ceil(from / step - 1e-9); i * step <= to + 1e-9 * step; i++) {
-    const at = toStep(i * step, step)
-    const figure = decimals > 4 || Math.abs(at) >= 1e5 ? plain(at) : fixed(at, decimals)
-    ticks.push({ at, label: `${figure}${thin}${unit}` })
+/** The same for few words: no unit, and no idle zeros. It may run the other way, from a large value to a small one. */
+export function shortAxis(from: number, to: number): Axis {
+  const range = Math.abs(to - from)
+  const decimals = range > 8 ? 0 : range > 0.8 ? 1 : range > 0.08 ? 2 : 3
+  return {
+    from,
+    to,
+    at: (value) => value,
+    ticks: (most) =>
+      roundTicks(from, to, most).values.map((at) => {
+        return { at, label: fixed(at, decimals).replace(/\.0+$/, '') }
+      }),
   }
-  return ticks
+}
+
+/** Powers of ten between two places of a picture. */
+export interface LogScale {
+  readonly from: number
+  readonly to: number
+  /** Where a value is [px]. */
+  readonly at: (value: number) => number
+  /** The exponents of the powers of ten on it. */
+  readonly decades: readonly number[]
+}
+
+/** Values from one to another by powers of ten, laid out between two places [px]. */
+export function logScale(from: number, to: number, start: number, end: number): LogScale {
+  const place = drawnBetween({ from: Math.log10(from), to: Math.log10(to) }, start, end)
+  const first = decadeAbove(from)
+  const length = Math.max(0, decadeBelow(to) - first + 1)
+  return {
+    from,
+    to,
+    at: (value) => place(Math.log10(value)),
+    decades: Array.from({ length }, (_, i) => first + i),
+  }
 }
 
 /**
@@ -52,7 +99,7 @@ function linearTicks(from: number, to: number, unit: string, most: number): Tick
  */
 export function errorAxis(smallest: number, largest: number): Axis {
   const top = largest > 0 ? Math.ceil(Math.log10(largest) + 1e-9) : 0
-  const bottom = Math.min(top - 2, Math.floor(Math.log10(Math.min(smallest, 1)) + 1e-9))
+  const bottom = Math.min(top - 2, decadeBelow(Math.min(smallest, 1)))
   const foot = bottom - 1
   return {
     from: foot - 0.25,
@@ -62,19 +109,8 @@ export function errorAxis(smallest: number, largest: number): Axis {
       const step = [1, 3, 6, 9].find((each) => (top - bottom) / each < most - 1) ?? 12
       const ticks: Tick[] = [{ at: foot, label: 'rounding' }]
       for (let power = Math.ceil(bottom / step) * step; power <= top; power += step)
-        ticks.push({ at: power, label: powerOfTen(power) })
+        ticks.push({ at: power, label: decadeTick(power) })
       return ticks
     },
   }
-}
-
-const prefixes = ['', 'm', 'µ', 'n', 'p']
-
-/** “100 mm”, “1 µm”, “10 km”. */
-function powerOfTen(power: number): string {
-  if (power >= 6) return `${plain(10 ** power)}${thin}m`
-  if (power >= 3) return `${10 ** (power - 3)}${thin}km`
-  const i = Math.ceil(-power / 3)
-  const prefix = i > 0 ? prefixes[i]! : ''
-  return `${Math.round(10 ** (power + 3 * Math.max(0, i)))}${thin}${prefix}m`
 }

@@ -1,32 +1,37 @@
+import { drawnBetween, shortAxis } from './axis.ts'
+import type { Axis } from './axis.ts'
 import type { Box, Point } from './geometry.ts'
-import { fixed } from './numbers.ts'
-import type { Palette } from '../view/palette.ts'
-import { roundAbove } from './round.ts'
 import { write } from './text.ts'
 
 /** From where to where an axis goes. */
 export type Range = readonly [from: number, to: number]
 
-/** A box of the canvas with a linear axis across and one up. */
+/** A box of the canvas with an axis across and one up. */
 export interface Graph {
   readonly box: Box
-  readonly across: Range
-  readonly up: Range
-  /** Where a value stands on the canvas [px]. */
+  readonly across: Axis
+  readonly up: Axis
+  /** Where a point of an axis is on the canvas [px]. */
+  readonly column: (at: number) => number
+  readonly row: (at: number) => number
+  /** Where a value is on the canvas [px]. */
   readonly x: (value: number) => number
   readonly y: (value: number) => number
 }
 
-export function graphIn(box: Box, across: Range, up: Range): Graph {
-  const wide = (box.right - box.left) / (across[1] - across[0])
-  const high = (box.bottom - box.top) / (up[1] - up[0])
+export function graphIn(box: Box, across: Range | Axis, up: Range | Axis): Graph {
+  const [wide, high] = [axisFrom(across), axisFrom(up)]
+  const column = drawnBetween(wide, box.left, box.right)
+  const row = drawnBetween(high, box.bottom, box.top)
   return {
-    box,
-    across,
-    up,
-    x: (value) => box.left + (value - across[0]) * wide,
-    y: (value) => box.bottom - (value - up[0]) * high,
+    ...{ box, across: wide, up: high, column, row },
+    x: (value) => column(wide.at(value)),
+    y: (value) => row(high.at(value)),
   }
+}
+
+function axisFrom(given: Range | Axis): Axis {
+  return 'ticks' in given ? given : shortAxis(...given)
 }
 
 /** What an axis is called, at its end: “speed, m/s”. */
@@ -35,36 +40,66 @@ export interface AxisNames {
   readonly up?: string
 }
 
-/** Draws lines at round values, their figures, a stronger line at 0, and the names of the axes. */
+/** The colours and the typeface of axes. */
+interface AxisPalette {
+  readonly line: string
+  /** Of the line at 0. */
+  readonly edge: string
+  readonly inkSoft: string
+  readonly sans: string
+}
+
+/** The sizes of axes [px]. */
+export interface AxisSizes {
+  readonly font: number
+  /** The room that a tick needs. */
+  readonly across: number
+  readonly up: number
+  /** From the box to the right end of a label, and down to the baseline of one. */
+  readonly left: number
+  readonly below: number
+  /** Of the pixels that a line is to cover whole. */
+  readonly ratio: number
+}
+
+const ample: AxisSizes = { font: 12, across: 64, up: 34, left: 7, below: 16, ratio: 1 }
+
+/** Draws lines at the ticks, their labels, a stronger line at 0, and the names of the axes. */
 export function drawAxes(
   context: CanvasRenderingContext2D,
-  graph: Graph,
+  { box, across, up, column, row }: Graph,
   names: AxisNames,
-  palette: Palette,
+  palette: AxisPalette,
+  sizes = ample,
 ): void {
-  const { box, across, up, x, y } = graph
+  const { left, right, top, bottom } = box
   context.lineWidth = 1
-  context.font = `12px ${palette.sans}`
-  for (const value of ticks(up, (box.bottom - box.top) / 34)) {
-    const at = crisp(y(value))
-    context.strokeStyle = value === 0 ? palette.edge : palette.line
-    line(context, { x: box.left, y: at }, { x: box.right, y: at })
+  context.font = `${sizes.font}px ${palette.sans}`
+  for (const { at, label } of up.ticks((bottom - top) / sizes.up)) {
+    const height = crisp(row(at), sizes)
+    context.strokeStyle = at === 0 ? palette.edge : palette.line
+    line(context, { x: left, y: height }, { x: right, y: height })
     context.fillStyle = palette.inkSoft
-    write(context, tickText(value, up), box.left - 7, at + 4, { align: 'right' })
+    write(context, label, left - sizes.left, height + sizes.font / 3, { align: 'right' })
   }
-  const columns = ticks(across, (box.right - box.left) / 64)
-  for (const value of columns) {
-    const at = crisp(x(value))
+  for (const { at, label } of across.ticks((right - left) / sizes.across)) {
+    const place = crisp(column(at), sizes)
     context.strokeStyle = palette.line
-    line(context, { x: at, y: box.top }, { x: at, y: box.bottom })
-    // The last figure gives way to the axis's name.
-    if (names.across && at > box.right - 9 - 7 * names.across.length) continue
+    line(context, { x: place, y: top }, { x: place, y: bottom })
+    // The last label gives way to the axis's name.
+    if (names.across && place > right - 9 - 7 * names.across.length) continue
     context.fillStyle = palette.inkSoft
-    write(context, tickText(value, across), at, box.bottom + 16, { align: 'center' })
+    write(context, label, place, bottom + sizes.below, { align: 'center' })
   }
   context.fillStyle = palette.inkSoft
-  if (names.across) write(context, names.across, box.right, box.bottom + 16, { align: 'right' })
-  if (names.up) write(context, names.up, box.left, box.top - 8)
+  if (names.across) write(context, names.across, right, bottom + sizes.below, { align: 'right' })
+  if (names.up) write(context, names.up, left, top - 8)
+}
+
+/** The nearest place where a line one pixel wide covers whole pixels. */
+function crisp(at: number, { ratio }: AxisSizes): number {
+  const half = (Math.round(ratio) % 2) / 2
+  return (Math.round(at * ratio) + half) / ratio
 }
 
 /** A line through points; those that are no numbers are left out. */
@@ -101,23 +136,4 @@ export function dot(context: CanvasRenderingContext2D, { x, y }: Point, radius: 
   context.beginPath()
   context.arc(x, y, radius, 0, 2 * Math.PI)
   context.fill()
-}
-
-/** In the middle of a row of pixels. */
-function crisp(at: number): number {
-  return Math.round(at) + 0.5
-}
-
-function ticks([from, to]: Range, most: number): number[] {
-  const step = roundAbove(Math.abs(to - from) / Math.max(1, most))
-  const first = Math.ceil(Math.min(from, to) / step - 1e-9)
-  const last = Math.floor(Math.max(from, to) / step + 1e-9)
-  return Array.from({ length: last - first + 1 }, (_, i) =>
-    Number(((first + i) * step).toPrecision(9)),
-  )
-}
-
-function tickText(value: number, [from, to]: Range): string {
-  const span = Math.abs(to - from)
-  return fixed(value, span > 8 ? 0 : span > 0.8 ? 1 : span > 0.08 ? 2 : 3).replace(/\.0+$/, '')
 }

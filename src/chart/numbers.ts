@@ -1,19 +1,32 @@
-/** Figures as people read them: a true minus sign, never more digits than can be seen, thin spaces before units. */
+/**
+ * Numbers as people read and type them: a true minus sign, never more digits than can be seen, thin spaces before units.
+ */
 
 const minus = '−'
 const thin = '\u2009'
 
-/** Below this a difference is an accident of rounding. */
-const rounding = 1e-11
+/** Below this a difference is an accident of rounding, in all texts [m]. */
+export const ROUNDING = 1e-11
 
 /** “0.41 m”, “1.2 mm”, “0 (to rounding)”. */
 export function metres(value: number): string {
   const size = Math.abs(value)
   if (!Number.isFinite(value)) return 'no number'
-  if (size < rounding) return '0 (to rounding)'
+  if (size < ROUNDING) return '0 (to rounding)'
   if (size < 1e-3) return withUnit(value * 1e6, 'µm')
   if (size < 0.01) return withUnit(value * 1e3, 'mm')
   return withUnit(value, 'm')
+}
+
+/** A distance [m] to two digits: “0.048 m”, “3.2 mm”. */
+export function roughMetres(value: number): string {
+  return metres(Number(value.toPrecision(2)))
+}
+
+/** A distance [m] in words and large type: to the centimetre, or where that says nothing to two digits. */
+export function lengthText(length: number): string {
+  if (!Number.isFinite(length)) return 'without bound'
+  return length >= 0.01 && length < 1000 ? place(length) : roughMetres(length)
 }
 
 /**
@@ -81,6 +94,35 @@ function withUnit(value: number, unit: string): string {
   return `${/^−?\d{5,}$/.test(number) ? count(number) : number}${thin}${unit}`
 }
 
-function superscript(exponent: number): string {
+/** “⁻¹²”. */
+export function superscript(exponent: number): string {
   return String(exponent).replace(/[-\d]/g, (c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)]!))
+}
+
+const decimal = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i
+
+/** The number that a text stands for: a decimal, `1e-3`, or a fraction as `1/60`; undefined where it is none. */
+export function readNumber(text: string): number | undefined {
+  const parts = text
+    .replaceAll(minus, '-')
+    .split('/')
+    .map((part) => part.trim())
+  if (parts.length > 2 || !parts.every((part) => decimal.test(part))) return undefined
+  const [numerator, denominator = '1'] = parts
+  return Number(numerator) / Number(denominator)
+}
+
+/** The shortest text that `readNumber` turns into the very same number: `1/60` instead of seventeen digits. */
+export function writeNumber(value: number): string {
+  const text = String(value)
+  const inverse = Math.round(1 / value)
+  const isFraction = text.length > 6 && Math.abs(inverse) < 100000 && 1 / inverse === value
+  return isFraction ? `${inverse < 0 ? '-' : ''}1/${Math.abs(inverse)}` : text
+}
+
+/** A number as a field shows it while nobody types there: with a true minus, and no more than six digits. */
+export function shownNumber(value: number): string {
+  const whole = writeNumber(value)
+  const text = whole.length > 9 ? String(Number(value.toPrecision(6))) : whole
+  return text.replaceAll('-', minus)
 }

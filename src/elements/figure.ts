@@ -2,9 +2,8 @@ import { html, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import type { Values } from '../figures/shared/control.ts'
 import { SlideFigure } from '../figures/element/slideFigure.ts'
-import { Shadow } from './shadow.ts'
+import { Shadow, themeProblem } from './shadow.ts'
 import { inUnits } from './styles.ts'
-import { themeProblem } from './themeProblem.ts'
 
 type Given = Readonly<Record<string, unknown>> | string | null
 

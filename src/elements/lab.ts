@@ -4,10 +4,9 @@ import { ExperimentError } from '../physics/index.ts'
 import type { Experiment, Problem } from '../physics/index.ts'
 import { stateAsked } from './attributes.ts'
 import { experimentOf } from '../lab/state/check.ts'
-import { SlideLab } from '../lab/slideLab.ts'
+import { SlideLab } from '../panels/slideLab.ts'
 import type { LabState } from '../lab/state/state.ts'
-import { Shadow } from './shadow.ts'
-import { themeProblem } from './themeProblem.ts'
+import { Shadow, themeProblem } from './shadow.ts'
 
 /** The properties that ask for something, by the names that `Asked` has for them. */
 const asking = [

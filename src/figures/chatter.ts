@@ -3,11 +3,10 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 import type { Box } from '../chart/geometry.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import type { Graph } from '../chart/graph.ts'
-import { fixed, seconds } from '../chart/numbers.ts'
+import { fixed, seconds, roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
 
 const DURATION = 1.5
 const scene = {
@@ -64,7 +63,7 @@ export const chatter = figure({
   ],
   says: ({ fps, stopping }, [run]) => {
     const turns = turnsOf(run!)
-    const off = roughly(Math.abs(run!.s[run!.frames]! - exact(scene, DURATION).s))
+    const off = roughMetres(Math.abs(run!.s[run!.frames]! - exact(scene, DURATION).s))
     if (stopping === 'naive')
       return `The velocity jumps over 0 and back, ${turns} times by ${fixed(DURATION, 1)} s, and never is 0: the block trembles, and has crept to ${off} from where it should rest.`
     const { kind, time } = run!.outcome
@@ -136,10 +135,10 @@ function boxIn({ width, height }: Surface): Box {
 
 /** The exact velocity, and a run's, which jumps at every frame. */
 function drawRun({ context, palette }: Surface, graph: Graph, run: Trajectory, size: number): void {
-  const { box, across } = graph
+  const { box } = graph
   context.save()
   clipTo(context, { ...box, left: box.left - 4, right: box.right + 4 })
-  const [from, to] = across
+  const { from, to } = graph.across
   const truth = [0, STOP, DURATION].map((t) => ({ x: graph.x(t), y: graph.y(exact(scene, t).v) }))
   drawCurve(context, truth, { colour: palette.ink, width: 1.5, dash: [6, 4] })
   const rows = Array.from(run.time.keys()).filter(

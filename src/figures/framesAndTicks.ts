@@ -1,19 +1,19 @@
+import { presentationErrorSizes } from '../measure/index.ts'
 import { exactMotion } from '../physics/index.ts'
 import type { Experiment, FramesChoice, Timestep, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import type { Box } from '../chart/geometry.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../chart/graph.ts'
 import type { Graph } from '../chart/graph.ts'
-import { seconds } from '../chart/numbers.ts'
+import { seconds, roughMetres } from '../chart/numbers.ts'
 import { widthOf, write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
-import { clockworkOf } from '../panels/strip/stripLanes.ts'
+import { clockworkOf } from '../lab/state/clockwork.ts'
 import { ticksOf } from './shared/clockwork.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
 import { policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
-import { roughly } from './shared/words.ts'
 
 const DURATION = 0.6
 
@@ -89,7 +89,7 @@ export const framesAndTicks = figure({
   panels: [{ shape: { wide: 0.62, narrow: 1.12 }, draw }],
   says: ({ timestep, step }, [run]) => {
     const steps = `${run!.frames} frames, ${run!.steps} steps of physics.`
-    const lag = roughly(largestGap(run!))
+    const lag = roughMetres(presentationErrorSizes(run!).largest)
     const far = `At worst a frame draws the block ${lag} from where it is by then.`
     switch (timestep) {
       case 'variable':
@@ -114,15 +114,6 @@ function clockOf(kind: TickValues['clock'], fps: number): FramesChoice {
   if (kind === 'steady') return { kind, fps }
   if (kind === 'jitter') return { kind, fps, amount: 0.7, seed: 3 }
   return kind === 'hitch' ? { kind, fps, every: 0.2, length: 0.15 } : { kind, fps, seed: 2 }
-}
-
-/** The largest distance between what a frame draws and the true block at that frame [m]. */
-function largestGap({ experiment, time, drawnS }: Trajectory): number {
-  const exact = exactMotion(experiment)
-  return drawnS.reduce(
-    (most, s, row) => Math.max(most, Math.abs(s - exact(time[row]!, { s: 0, v: 0 }).s)),
-    0,
-  )
 }
 
 function draw(surface: Surface, { runs, time }: View<TickValues>): void {

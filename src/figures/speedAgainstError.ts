@@ -1,11 +1,10 @@
 import { trajectoryErrors } from '../measure/index.ts'
 import type { Experiment, IntegratorId, Trajectory } from '../physics/index.ts'
 import { dot, drawCurve, graphIn, line } from '../chart/graph.ts'
-import { count, metres } from '../chart/numbers.ts'
+import { count, metres, roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
 
 const DURATION = 10
 const RATES = [10, 20, 40, 80, 160, 320] as const
@@ -36,7 +35,7 @@ export const speedAgainstError = figure({
     ),
   hosted: {
     tag: 'speed-diagram',
-    define: () => import('../panels/measures/speedDiagramElement.ts'),
+    define: () => import('../panels/measures/speedDiagram.ts'),
     room: { wide: 16, narrow: 54 },
     properties: { experiment: { scene: 'half-pipe', duration: DURATION } satisfies Experiment },
   },
@@ -44,7 +43,7 @@ export const speedAgainstError = figure({
   says: (_, runs) => {
     const words = methods.slice(1).map(({ name }, i) => {
       const run = runs[(i + 1) * RATES.length + TOLD]!
-      return `${name} ${roughly(errorOf(run))} for ${count(costOf(run))} evaluations`
+      return `${name} ${roughMetres(errorOf(run))} for ${count(costOf(run))} evaluations`
     })
     return `At ${RATES[TOLD]} steps a second in the half-pipe, off by at most: ${words.join(', ')} a second.`
   },

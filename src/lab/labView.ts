@@ -1,8 +1,11 @@
+import type { ReactiveControllerHost } from 'lit'
+import type { PictureForces } from '../view/picture.ts'
+import type { Glide } from './glide.ts'
 import type { Past } from './past.ts'
 import type { Playback } from './playback/playback.ts'
 import type { Preset } from './presets/preset.ts'
+import type { Change } from './state/change.ts'
 import type { Simulated } from './state/simulation.ts'
-import type { Change } from './state/state.ts'
 
 /** What the parts of a lab see of it. */
 export interface LabView {
@@ -22,3 +25,16 @@ export interface LabView {
   readonly load: (preset: Preset) => void
   readonly dismiss: () => void
 }
+
+/** What a lab sees of its panels. They are loaded when its picture is there. */
+export interface Panels {
+  /** What stands below the transport. */
+  below(): unknown
+  /** Lets blocks glide to their new places. Until it loads, blocks jump. */
+  readonly glide: Glide
+  /** The forces that the picture shows: undefined while they are switched off. */
+  readonly forces?: () => PictureForces | undefined
+  readonly presets?: readonly Preset[]
+}
+
+export type OpenPanels = (lab: LabView & ReactiveControllerHost & HTMLElement) => Panels

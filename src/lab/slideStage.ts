@@ -2,9 +2,9 @@ import { html, LitElement, nothing } from 'lit'
 import type { NumberOption } from '../physics/index.ts'
 import type { Handle, HandleId, Picture } from '../view/picture.ts'
 import { Stage } from '../view/stage.ts'
-import { shownNumber } from '../chart/numberText.ts'
+import { shownNumber } from '../chart/numbers.ts'
 import type { Playback } from './playback/playback.ts'
-import { pointIn } from '../ui/pointIn.ts'
+import { pointIn, valueByKey } from '../ui/input.ts'
 import { onThemeChange } from '../ui/theme.ts'
 
 const purposes: Readonly<Record<HandleId, string>> = {
@@ -146,30 +146,9 @@ export class SlideStage extends LitElement {
     { slider, min, max }: NumberOption,
     value: number,
   ): void {
-    const next = steppedBy(event, slider, value)
+    const next = valueByKey(event, slider, value)
     if (next === undefined) return
     event.preventDefault()
     this.change({ [parameter]: Math.min(max, Math.max(min, next)) })
   }
-}
-
-/** The value that a key of a slider leads to; undefined for any other key. */
-function steppedBy(
-  { key, shiftKey }: KeyboardEvent,
-  { from, to, step }: NumberOption['slider'],
-  value: number,
-): number | undefined {
-  if (key === 'Home') return from
-  if (key === 'End') return to
-  const steps = {
-    ArrowRight: 1,
-    ArrowUp: 1,
-    ArrowLeft: -1,
-    ArrowDown: -1,
-    PageUp: 10,
-    PageDown: -10,
-  }[key]
-  if (steps === undefined) return undefined
-  // Rounded, so that 0.1 + 0.2 is 0.3.
-  return Number((value + steps * step * (shiftKey ? 10 : 1)).toPrecision(12))
 }

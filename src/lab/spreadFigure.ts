@@ -1,6 +1,5 @@
 import { html } from 'lit'
-import { raw } from '../chart/numbers.ts'
-import { lengthText } from './errorText.ts'
+import { raw, lengthText } from '../chart/numbers.ts'
 import { sameMethod } from './state/modes.ts'
 import type { LabView } from './labView.ts'
 

@@ -1,16 +1,20 @@
 import { html } from 'lit'
 import { atNow } from '../lab/playback/atNow.ts'
-import { ForcesSwitch } from './forces/forcesSwitch.ts'
+import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { Glide } from '../lab/glide.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
 import { parametersPanel } from './parameters/parametersPanel.ts'
 import { presets } from '../lab/presets/index.ts'
 import { runnersTable } from './runners/runnersTable.ts'
-import type { MakeLater } from '../lab/later.ts'
-import './defineInstruments.ts'
+import type { OpenPanels } from '../lab/labView.ts'
+import './measures/labMeasures.ts'
+import './plots/labPlots.ts'
+import './record/recordFrames.ts'
+import './share/shareMenu.ts'
+import './strip/frameStrip.ts'
 
 /** Of a whole lab: all that is set and read in it. */
-export const instruments: MakeLater = (lab) => {
+export const instruments: OpenPanels = (lab) => {
   const forces = new ForcesSwitch(lab)
   return {
     glide: new Glide(lab),

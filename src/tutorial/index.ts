@@ -1,10 +1,8 @@
 import { copyButton, reachable } from './page/code.ts'
 import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
-import { layOutInTurn } from './page/layOut.ts'
-import { followLinks } from './page/links.ts'
-import { lightOnPaper } from './page/print.ts'
-import { shine } from './page/shine.ts'
+import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
+import { followLinks, shine } from './page/figures.ts'
 import { tabs } from './page/tabs.ts'
 
 /* The text is there without any of this. */

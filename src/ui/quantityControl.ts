@@ -4,7 +4,7 @@ import { live } from 'lit/directives/live.js'
 import type { NumberOption } from '../physics/index.ts'
 import { freshId } from './freshId.ts'
 import { icon } from './icons.ts'
-import { readNumber, shownNumber, writeNumber } from '../chart/numberText.ts'
+import { readNumber, shownNumber, writeNumber } from '../chart/numbers.ts'
 import { typeset } from './typeset.ts'
 
 /** What a control needs to know of the number that it sets. */
@@ -24,7 +24,7 @@ export type Quantity = Pick<
  * - `pick`: called with what the reader chose, a number or, where it is none, the text; answers with what is wrong
  *   with it, or with nothing. What is wrong stays in the field, with the answer under it
  */
-export class QuantityControl extends LitElement {
+class QuantityControl extends LitElement {
   static override properties = {
     quantity: { attribute: false },
     value: { attribute: false },
@@ -180,3 +180,5 @@ export class QuantityControl extends LitElement {
     this.problem = ''
   }
 }
+
+customElements.define('quantity-control', QuantityControl)

@@ -1,4 +1,4 @@
-import { html, LitElement } from 'lit'
+import { html, LitElement, svg } from 'lit'
 import { markText } from '../view/marks.ts'
 
 /**
@@ -7,7 +7,7 @@ import { markText } from '../view/marks.ts'
  * - `look`: its place in the palette and the list of marks
  * - `hollow`: only its outline, for a runner that is hidden
  */
-export class RunnerMark extends LitElement {
+class RunnerMark extends LitElement {
   static override properties = { look: { type: Number }, hollow: { type: Boolean } }
 
   declare look: number
@@ -29,3 +29,15 @@ export class RunnerMark extends LitElement {
     </svg>`
   }
 }
+
+/** A mark of the palette, the same as on a canvas, as a piece of SVG around a point. */
+export function svgMark(look: number, x: number, y: number, radius: number) {
+  return svg`<path class="mark" d=${markText(look)} transform="translate(${round(x)} ${round(y)}) scale(${radius})" />`
+}
+
+/** To a hundredth of a pixel. */
+export function round(value: number): number {
+  return Math.round(value * 100) / 100
+}
+
+customElements.define('runner-mark', RunnerMark)

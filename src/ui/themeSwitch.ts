@@ -4,7 +4,7 @@ import { icon } from './icons.ts'
 const themes = ['system', 'light', 'dark'] as const
 
 /** A button that goes round the page's themes: as the system has it, light, dark. It remembers nothing. */
-export class ThemeSwitch extends LitElement {
+class ThemeSwitch extends LitElement {
   static override properties = { theme: { state: true } }
 
   declare private theme: (typeof themes)[number]
@@ -32,3 +32,5 @@ export class ThemeSwitch extends LitElement {
     else dataset.theme = this.theme
   }
 }
+
+customElements.define('theme-switch', ThemeSwitch)

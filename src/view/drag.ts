@@ -7,7 +7,7 @@ import type { Point } from '../chart/geometry.ts'
 import { changed, handleAt } from './handles.ts'
 import type { HandleId, Picture } from './picture.ts'
 import { Projection } from './projection.ts'
-import { roundAbove, toStep } from '../chart/round.ts'
+import { roundAbove, toStep } from '../chart/ticks.ts'
 import { ARROW_START } from './sizes.ts'
 
 /** The finest tilt [°]. */

@@ -1,8 +1,53 @@
+import type { Parameters } from '../physics/index.ts'
+import type { Point } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
-import { outline } from './outline.ts'
-import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
+import { bendEnd } from './subjects.ts'
+import type { Palette } from './palette.ts'
+
+/** The ends of the track as drawn: beyond them it is level. A run that outgrows a held view takes them along. */
+export function drawnEnds({ ends, extent, camera, block }: Layout): { from: number; to: number } {
+  const room = (0.75 * block) / camera.scale
+  return { from: Math.min(ends.from, extent.from - room), to: Math.max(ends.to, extent.to + room) }
+}
+
+/** The surface of the ground from the left edge of the canvas to the right one. */
+export function outline(picture: Picture, layout: Layout, projection: Projection): Point[] {
+  const points = distances(picture, layout).map((s) => projection.at(s))
+  if (picture.scene.facing < 0) points.reverse()
+  const first = points[0]!
+  const last = points[points.length - 1]!
+  const edge = layout.width + 2
+  return [
+    { x: Math.min(-2, first.x), y: first.y },
+    ...points,
+    { x: Math.max(edge, last.x), y: last.y },
+  ]
+}
+
+/** The places of the track that its outline goes through. */
+function distances({ scene, parameters }: Picture, layout: Layout): number[] {
+  const { from, to } = drawnEnds(layout)
+  if (scene.id === 'half-pipe') return pipe(parameters, layout)
+  if (scene.id !== 'run-out') return [from, to]
+  const bend = parameters.length!
+  const flat = bendEnd(parameters)
+  const right = flat + (2 * layout.width) / layout.camera.scale
+  return [Math.min(from, bend), ...range(bend, flat, 48), right]
+}
+
+/** The pipe between its lips, or as much of it as can be on the canvas. */
+function pipe({ radius }: Parameters, { extent, width, height, camera }: Layout): number[] {
+  const lip = (Math.PI / 2) * radius!
+  const middle = (extent.from + extent.to) / 2
+  const reach = (width + height) / camera.scale
+  return range(Math.max(-lip, middle - reach), Math.min(lip, middle + reach), 160)
+}
+
+function range(from: number, to: number, parts: number): number[] {
+  return Array.from({ length: parts + 1 }, (_, i) => from + ((to - from) * i) / parts)
+}
 
 /** The track, and the ground beneath it down to the canvas's edge. */
 export function drawGround(

@@ -8,8 +8,8 @@ import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
-import { standingAt } from './standing.ts'
 import { forgetWidths } from '../chart/text.ts'
+import { endOf, rowAt } from './timeline.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
 export class Stage {
@@ -95,4 +95,21 @@ export class Stage {
     if (this.canvas.height !== rows) this.canvas.height = rows
     this.context.setTransform(columns / width, 0, 0, rows / height, 0, 0)
   }
+}
+
+/**
+ * All that time changes in the blocks of a picture, as numbers: at two times with the same numbers they look the same.
+ * Forces are not among them.
+ */
+function standingAt({ runners, exact, time }: Picture): number[] {
+  const numbers = [exact(time, { s: 0, v: 0 }).s]
+  for (const { trajectory, goal } of runners) {
+    const row = rowAt(trajectory, time)
+    const end = endOf(trajectory)
+    numbers.push(
+      ...[trajectory.s[row]!, trajectory.drawnS[row]!, (goal ?? trajectory).drawnS[row]!],
+      end && row >= end.row ? 1 : 0,
+    )
+  }
+  return numbers
 }

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 import { initialValues } from '../../src/figures/shared/control.ts'
 import { figures } from '../../src/figures/index.ts'
 import { figurePresets } from '../../src/lab/presets/figures.ts'
-import { stateOf, together } from '../../src/lab/presets/stateOf.ts'
+import { stateOf, together } from '../../src/lab/presets/hardCases.ts'
 
 /** What a lab can't show: another step, and the work of a whole sweep. */
 const NOT_THERE = ['paper-step', 'speed-against-error']

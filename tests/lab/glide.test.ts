@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { simulate } from '../../src/physics/index.ts'
 import type { Experiment, Trajectory } from '../../src/physics/index.ts'
-import { blend } from '../../src/lab/blend.ts'
+import { blend } from '../../src/lab/glide.ts'
 
 const kick: Experiment = { scene: 'ramp', parameters: { speed: -5 }, duration: 2 }
 const from = simulate({ ...kick, stopping: 'naive', integrator: 'semi-implicit-euler' })

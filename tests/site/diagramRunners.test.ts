@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
-import { roughSize } from '../../src/chart/scale.ts'
+import { roughSize } from '../../src/chart/magnitudes.ts'
 import { opening } from '../../src/lab/state/opening.ts'
 import { presentationErrors, sweepRates } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { readAddress } from '../../src/lab/state/address.ts'
 import { experimentOf } from '../../src/lab/state/check.ts'
-import type { Change } from '../../src/lab/state/state.ts'
+import type { Change } from '../../src/lab/state/change.ts'
 import { integrators, scenes, simulate } from '../../src/physics/index.ts'
 import { openLab } from './labPage.ts'
 

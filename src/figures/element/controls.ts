@@ -7,12 +7,20 @@ import type {
   NumberControl,
   SwitchControl,
   Value,
+  Values,
 } from '../shared/control.ts'
 import { typeset } from '../../ui/typeset.ts'
-import type { Face } from './face.ts'
+import type { Figure } from '../shared/figure.ts'
+
+/** What controls are made from. */
+interface Controlled {
+  readonly figure: Figure
+  readonly values: Values
+  readonly set: (values: Readonly<Record<string, unknown>>) => void
+}
 
 /** A figure's controls, the sliders first. */
-export function controlsOf({ figure, values, set }: Face) {
+export function controlsOf({ figure, values, set }: Controlled) {
   const shown = Object.entries(figure.controls).filter(([, { hidden }]) => !hidden)
   if (shown.length === 0) return nothing
   const idle = figure.idle?.(values) ?? []

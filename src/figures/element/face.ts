@@ -1,12 +1,13 @@
 import { html, nothing } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
-import { raw } from '../../chart/numbers.ts'
-import { atNow } from '../../lab/playback/atNow.ts'
+import { raw, fixed } from '../../chart/numbers.ts'
+import { atNow, movedAtNow } from '../../lab/playback/atNow.ts'
 import type { Values } from '../shared/control.ts'
 import type { Figure, View } from '../shared/figure.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import { controlsOf } from './controls.ts'
-import { transportOf } from './transport.ts'
+import { live } from 'lit/directives/live.js'
+import { icon } from '../../ui/icons.ts'
 
 /** What a live figure is made from. */
 export interface Face {
@@ -85,4 +86,51 @@ function readings({ figure, values, runs, playback }: Face) {
       </div>`
     })}
   </dl>`
+}
+
+/** Playing, and the cursor on time; the figure's own button, if it has one. */
+function transportOf({ figure, values, playback, set }: Face) {
+  const { action } = figure
+  const duration = figure.duration?.(values)
+  if (duration === undefined) return nothing
+  const { playing } = playback
+  const label = playing ? 'Pause' : 'Play'
+  const act = () => {
+    set({ ...action!.act(values) })
+    playback.toStart()
+    playback.play()
+  }
+  return html`<div class="transport-line" part="transport">
+    ${
+      action
+        ? html`<button type="button" class="act" @click=${act}>${action.label(values)}</button>`
+        : nothing
+    }
+    ${
+      duration === 0
+        ? nothing
+        : html`<button
+              type="button"
+              class="play"
+              title=${label}
+              aria-label=${label}
+              @click=${() => playback.toggle()}
+            >
+              ${icon(playing ? 'pause' : 'play')}
+            </button>
+            <input
+              type="range"
+              aria-label="Time"
+              aria-valuetext="${atNow(playback, (time) => fixed(time, 2))} of ${fixed(duration, 2)} seconds"
+              min="0"
+              max=${duration}
+              step="any"
+              .style="--filled: ${movedAtNow(playback, (time) => time / duration)}"
+              .value=${movedAtNow(playback, (time) => live(String(time)))}
+              @input=${(event: Event) =>
+                playback.seek((event.target as HTMLInputElement).valueAsNumber)}
+            />
+            <output>${atNow(playback, (time) => fixed(time, 2))}&thinsp;s</output>`
+    }
+  </div>`
 }

@@ -5,10 +5,9 @@ import { forgetWidths } from '../../chart/text.ts'
 import type { Controls, NumberControl, Values } from '../shared/control.ts'
 import type { Grip, Panel, View } from '../shared/figure.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
-import { pointIn } from '../../ui/pointIn.ts'
+import { pointIn, valueByKey } from '../../ui/input.ts'
 import { onThemeChange } from '../../ui/theme.ts'
 import { quantityText } from './controls.ts'
-import { stepped } from '../../ui/stepped.ts'
 
 /**
  * One picture of a figure, and over each grip a target for mouse, finger and keyboard.
@@ -20,7 +19,7 @@ import { stepped } from '../../ui/stepped.ts'
  * - `playback`: the instant
  * - `description`: what there is to see, in words
  */
-export class FigurePicture extends LitElement {
+class FigurePicture extends LitElement {
   static override properties = {
     panel: { attribute: false },
     values: { attribute: false },
@@ -146,7 +145,7 @@ export class FigurePicture extends LitElement {
       @pointermove=${(event: PointerEvent) => this.move(event, grip)}
       @lostpointercapture=${() => (this.held = undefined)}
       @keydown=${(event: KeyboardEvent) => {
-        const next = stepped(event, control, value)
+        const next = valueByKey(event, control, value)
         if (next === undefined) return
         event.preventDefault()
         this.set({ [name]: next })
@@ -168,3 +167,5 @@ export class FigurePicture extends LitElement {
     this.set({ [grip.control]: grip.at({ x: x + this.offset.x, y: y + this.offset.y }) })
   }
 }
+
+customElements.define('figure-picture', FigurePicture)

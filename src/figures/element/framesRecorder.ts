@@ -1,6 +1,6 @@
 import { html, LitElement } from 'lit'
 import { fixed } from '../../chart/numbers.ts'
-import { durationsOf } from '../../lab/state/durations.ts'
+import { durationsOf } from '../../lab/state/frameTimes.ts'
 import { animationFrames, record } from '../../panels/record/recording.ts'
 import type { FrameSource } from '../../panels/record/recording.ts'
 
@@ -11,7 +11,7 @@ import type { FrameSource } from '../../panels/record/recording.ts'
  * - `source`: where frames come from, this browser window unless told otherwise
  * - `length`: how long it records [s]
  */
-export class FramesRecorder extends LitElement {
+class FramesRecorder extends LitElement {
   static override properties = { recorded: { state: true }, message: { state: true } }
 
   declare pick: (durations: readonly number[]) => void
@@ -83,3 +83,5 @@ export class FramesRecorder extends LitElement {
       this.stop('Stopped: the page was hidden, and a hidden page gets no frames.')
   }
 }
+
+customElements.define('frames-recorder', FramesRecorder)

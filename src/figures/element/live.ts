@@ -3,7 +3,8 @@ import type { Values } from '../shared/control.ts'
 import type { Figure } from '../shared/figure.ts'
 import { frameOf } from '../shared/frame.ts'
 import { face } from './face.ts'
-import './define.ts'
+import './figurePicture.ts'
+import './framesRecorder.ts'
 
 /** All that a figure needs from the moment it comes alive, and not before. */
 export const live = {

@@ -1,11 +1,12 @@
 import { hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
-import { scenes } from '../../physics/index.ts'
-import type { Experiment, Scene } from '../../physics/index.ts'
+import { scenes, frameClocks, parseExperiment } from '../../physics/index.ts'
+import type { Experiment, Scene, ResolvedExperiment } from '../../physics/index.ts'
 import { count, plain } from '../../chart/numbers.ts'
 import { preset } from './preset.ts'
 import type { Preset } from './preset.ts'
-import { durationOf, stateOf, together } from './stateOf.ts'
+import { checked } from '../state/check.ts'
+import type { LabState } from '../state/state.ts'
 
 /** What the numbers of the hard cases' groups are called in the menu. */
 export const groups: readonly (readonly [string, readonly number[]])[] = [
@@ -15,6 +16,15 @@ export const groups: readonly (readonly [string, readonly number[]])[] = [
   ['Stops and joints', [14, 15]],
   ['Extreme numbers', [13, 16]],
 ]
+
+/** So many frames of all runners together are simulated, and drawn, without a wait that is felt. */
+export const MOST_FRAMES = 250_000
+
+/** Each clock reads the options that it has itself from those that were chosen. */
+const clocks: readonly {
+  readonly id: string
+  frames(options: object, duration: number): number
+}[] = frameClocks
 
 /** Every hard case: one preset, or as many as it takes to show all of its experiments. */
 export const hardPresets: readonly Preset[] = groups.flatMap(([name, numbers]) =>
@@ -61,4 +71,52 @@ function distinction(experiment: Experiment, parts: readonly Experiment[][]): st
       return `${label.toLowerCase()} ${plain(own)} ${unit}`.trim()
   }
   return ''
+}
+
+/**
+ * Experiments as far as they can be shown side by side: those that share scene, parameters and duration are together,
+ * in the order in which they come. One that can't be run is alone.
+ */
+export function together(experiments: readonly Experiment[]): Experiment[][] {
+  const groups = new Map<string, Experiment[]>()
+  for (const experiment of experiments) {
+    const { scene, parameters, duration } = experiment
+    const key = JSON.stringify([scene, parameters, duration])
+    groups.set(key, [...(groups.get(key) ?? []), experiment])
+  }
+  return [...groups.values()]
+}
+
+/**
+ * The lab that runs such experiments, each as a runner. A run that is longer than a page can bear is cut to its
+ * beginning.
+ *
+ * @throws ExperimentError if they can't be run
+ */
+export function stateOf(experiments: readonly Experiment[]): LabState {
+  const resolved = experiments.map(parseExperiment)
+  const { scene, parameters } = resolved[0]!
+  const runners = resolved.map(({ frames, timestep, integrator, stopping }, look) => ({
+    ...{ frames, timestep, integrator, stopping },
+    ...{ look, hidden: false },
+  }))
+  return checked({ scene, parameters, runners, duration: durationOf(experiments) })
+}
+
+/** How long they are run there [s]. */
+function durationOf(experiments: readonly Experiment[]): number {
+  const resolved = experiments.map(parseExperiment)
+  const { duration } = resolved[0]!
+  const excess = resolved.reduce((sum, each) => sum + frameCount(each), 0) / MOST_FRAMES
+  return excess > 1 ? rounded(duration / excess) : duration
+}
+
+function frameCount({ frames, duration }: ResolvedExperiment): number {
+  return clocks.find(({ id }) => id === frames.kind)!.frames(frames, duration)
+}
+
+/** Down to two digits. */
+function rounded(x: number): number {
+  const unit = 10 ** (Math.floor(Math.log10(x)) - 1)
+  return Math.floor(x / unit) * unit
 }

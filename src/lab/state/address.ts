@@ -3,7 +3,7 @@ import type { Problem, SceneId } from '../../physics/index.ts'
 import { checked } from './check.ts'
 import type { LabState } from './state.ts'
 import { opening, openingOf } from './opening.ts'
-import { readNumber, writeNumber } from '../../chart/numberText.ts'
+import { readNumber, writeNumber } from '../../chart/numbers.ts'
 import { readRunners, writeRunners } from './runnerText.ts'
 
 /**
@@ -68,6 +68,13 @@ export function readAddress(address: string): LabState {
 /** Whether that part of an address says something about a lab, and is not just the name of a place in the page. */
 export function isAddress(address: string): boolean {
   return address === '' || address.includes('=')
+}
+
+/** The address of a page of the site that shows a state: `page` is relative to where the site is. */
+export function linkTo(page: string, site: string, state: LabState): string {
+  const url = new URL(page, site)
+  url.hash = writeAddress(state)
+  return url.href
 }
 
 function field(text: string): [string, string] {

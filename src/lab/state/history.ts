@@ -1,3 +1,5 @@
+import type { Change } from './change.ts'
+
 /** States in the order they came, with a place among them: undo and redo. */
 export class History<State> {
   private states: State[]
@@ -61,3 +63,20 @@ export class History<State> {
 const BURST = 700
 
 const MOST_KEPT = 200
+
+/**
+ * The name of what a change may be part of: the dragging of a handle or a slider, the stepping of a number. Choices
+ * stand for themselves.
+ */
+export function burstOf(change: Change): string | undefined {
+  switch (change.kind) {
+    case 'parameters':
+      return Object.keys(change.values).join(' ')
+    case 'duration':
+      return 'duration'
+    case 'option':
+      return `${change.index} ${change.of} ${change.key}`
+    default:
+      return undefined
+  }
+}

@@ -1,6 +1,6 @@
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Options } from '../../physics/index.ts'
-import { shownNumber } from '../../chart/numberText.ts'
+import { shownNumber } from '../../chart/numbers.ts'
 import type { RunnerState } from './state.ts'
 
 /**

@@ -3,7 +3,7 @@ import type { Option, Options, Problem } from '../../physics/index.ts'
 import { MOST_RUNNERS } from './check.ts'
 import type { DraftRunner } from './check.ts'
 import type { RunnerState } from './state.ts'
-import { readNumber, writeNumber } from '../../chart/numberText.ts'
+import { readNumber, writeNumber } from '../../chart/numbers.ts'
 import { readDurations, writeDurations } from './durationCode.ts'
 
 /*

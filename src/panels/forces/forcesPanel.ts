@@ -1,16 +1,36 @@
 import { html, nothing } from 'lit'
-import type { Vector } from '../../physics/index.ts'
-import { raw } from '../../chart/numbers.ts'
+import type { Vector, ResolvedExperiment } from '../../physics/index.ts'
+import { raw, fixed, plain } from '../../chart/numbers.ts'
 import { dot, length } from '../../physics/index.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
-import type { Forces } from './forces.ts'
-import { lookedAt, arrowNames } from './forcesPicture.ts'
-import type { Looked } from './forcesPicture.ts'
-import { frictionText, quantity } from './forcesText.ts'
+import type { Forces, Looked } from './forcesPicture.ts'
+import { lookedAt, arrowNames, pictureForces } from './forcesPicture.ts'
 import type { LabView } from '../../lab/labView.ts'
+import type { ReactiveControllerHost } from 'lit'
+import type { PictureForces } from '../../view/picture.ts'
+
+/** Whether a lab shows forces: not at first. It is remembered as long as the page is. */
+export class ForcesSwitch {
+  private shown = false
+
+  constructor(private readonly lab: LabView & ReactiveControllerHost) {}
+
+  /** Those of the selected runner, for the picture. */
+  vectors(): PictureForces | undefined {
+    return this.shown ? pictureForces(this.lab) : undefined
+  }
+
+  /** The switch, and the legend of the forces. */
+  panel() {
+    return forcesPanel(this.lab, this.shown, (shown) => {
+      this.shown = shown
+      this.lab.requestUpdate()
+    })
+  }
+}
 
 /** The switch for the forces, and while it is on a legend whose figures are those that the arrows are drawn from. */
-export function forcesPanel(lab: LabView, shown: boolean, show: (shown: boolean) => void) {
+function forcesPanel(lab: LabView, shown: boolean, show: (shown: boolean) => void) {
   const looked = shown ? lookedAt(lab) : undefined
   return html`<section class="forces">
     <div class="forces-head">
@@ -91,4 +111,42 @@ function frictionLine({ runner, largest }: Looked, forces: Forces) {
   const [before, after] = text.split('μk')
   const set = after === undefined ? text : html`${before}μ<sub>k</sub>${after}`
   return html`<p class="friction-line">${set}</p>`
+}
+
+/** A figure with as many decimals as the largest of its kind makes worth reading, so that it keeps its width. */
+export function quantity(value: number, largest: number): string {
+  const size = Math.max(largest, Math.abs(value))
+  if (!(size < 1e5) || (size > 0 && size < 0.01)) return plain(rounded(value, size))
+  const decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 1 ? 2 : 4
+  return fixed(value, decimals)
+}
+
+/** What is nothing beside the largest is nothing. */
+function rounded(value: number, largest: number): number {
+  return Math.abs(value) < 1e-9 * largest ? 0 : value
+}
+
+/** What friction does and why it is as large as it is; nothing where nothing can rub. */
+export function frictionText(
+  { parameters, stopping }: Pick<ResolvedExperiment, 'parameters' | 'stopping'>,
+  { vectors }: Forces,
+  largest: number,
+): string {
+  const { muStatic, muKinetic } = parameters
+  if (muStatic === undefined || muKinetic === undefined) return ''
+  const { friction, normal } = vectors
+  const newtons = (value: number) => `${quantity(value, largest)}\u2009N`
+  const size = newtons(length(friction))
+  if (vectors.rubbing === 'held') {
+    const most = Math.max(muStatic, muKinetic) * length(normal)
+    return `Static friction holds it: ${size} of at most ${newtons(most)}.`
+  }
+  if (vectors.rubbing === 'none')
+    return muStatic + muKinetic > 0
+      ? 'No friction at v = 0: the naive rule knows only the friction of sliding.'
+      : 'No friction: μ is 0.'
+  const product = `μk N = ${plain(muKinetic)} × ${newtons(length(normal))}`
+  const rule =
+    stopping === 'naive' ? ' The naive rule knows no other, so nothing holds a block.' : ''
+  return `Kinetic friction: ${product} = ${size}.${rule}`
 }

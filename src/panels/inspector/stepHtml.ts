@@ -9,11 +9,9 @@ import type {
   TriedStep,
 } from '../../physics/index.ts'
 import { raw } from '../../chart/numbers.ts'
-import { ordinal } from './ordinal.ts'
-import { wordsAfter, wordsBefore } from './ruleWords.ts'
-import { say } from './said.ts'
+import { wordsAfter, wordsBefore } from './stepWords.ts'
+import { say, saidHtml } from './said.ts'
 import type { Said } from './said.ts'
-import { saidHtml } from './saidHtml.ts'
 import { written } from './written.ts'
 import type { WrittenLine } from './written.ts'
 
@@ -143,4 +141,9 @@ function result({ to }: PolicyStep) {
 
 function paragraph(said: Said) {
   return html`<p>${saidHtml(said)}</p>`
+}
+
+/** A number as an index under the line: 12 as ₁₂. */
+function ordinal(index: number): string {
+  return String(index).replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]!)
 }

@@ -5,11 +5,12 @@ import { endOf, rowAt } from '../../view/timeline.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import type { LabView } from '../../lab/labView.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { frameLength, policyWords } from './policyWords.ts'
-import { say } from './said.ts'
-import { saidHtml } from './saidHtml.ts'
+import { frameLength, policyWords } from './stepWords.ts'
+import { say, saidHtml } from './said.ts'
 import { stepHtml } from './stepHtml.ts'
-import { stepper } from './stepper.ts'
+import '../../ui/runnerMark.ts'
+import { icon } from '../../ui/icons.ts'
+import type { IconName } from '../../ui/icons.ts'
 
 /** While it plays, so much time passes before the next frame is written out [ms]: replaying a run takes time. */
 const PAUSE = 250
@@ -40,7 +41,7 @@ export function stepInspector(lab: LabView) {
  * - `runner`, `row`: the run, and the row of it that the frame ends at
  * - `playing`: the row changes all the time
  */
-export class StepInspector extends LitElement {
+class StepInspector extends LitElement {
   static override properties = {
     lab: { attribute: false },
     runner: { attribute: false },
@@ -167,3 +168,38 @@ function hasEvent({ stretches, standings, outcome, to }: PolicyStep): boolean {
     kept?.to.v !== to.v
   )
 }
+
+interface Stepper {
+  /** What is stepped through, in the singular. */
+  readonly what: string
+  /** The first and the last that there is. */
+  readonly from: number
+  readonly to: number
+  readonly at: number
+  readonly go: (to: number) => void
+}
+
+/** “Step 3 of 6” between buttons to the first, the one before, the next and the last. */
+function stepper({ what, from, to, at, go }: Stepper) {
+  const button = (name: IconName, label: string, there: number) => {
+    const isOff = there < from || there > to || there === at
+    // Off for who uses it, not for the browser, which would take the focus away.
+    return html`<button
+      type="button"
+      title=${label}
+      aria-label="${label}, inside this step"
+      aria-disabled=${isOff}
+      @click=${() => isOff || go(there)}
+    >
+      ${icon(name)}
+    </button>`
+  }
+  const name = what[0]!.toUpperCase() + what.slice(1)
+  return html`<div class="stepper" role="group" aria-label="${name}s">
+    ${button('start', `First ${what}`, from)} ${button('back', `Previous ${what}`, at - 1)}
+    <span>${name} ${at - from + 1} of ${to - from + 1}</span>
+    ${button('on', `Next ${what}`, at + 1)} ${button('end', `Last ${what}`, to)}
+  </div>`
+}
+
+customElements.define('step-inspector', StepInspector)

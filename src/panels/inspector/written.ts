@@ -2,8 +2,6 @@ import { integrators } from '../../physics/index.ts'
 import type { Integrator, TriedStep } from '../../physics/index.ts'
 import { say } from './said.ts'
 import type { Said } from './said.ts'
-import { substituted } from './substituted.ts'
-import { subSteps } from './subSteps.ts'
 
 /** A line of a formula with the numbers of a step. */
 export interface WrittenLine {
@@ -74,4 +72,65 @@ function guesses({ from, dt, evaluations }: TriedStep, name: string): Said {
   const { v, a } = evaluations[evaluations.length - 1]!
   const times = evaluations.length === 1 ? 'once' : `${evaluations.length} times`
   return say`${name} stands on both sides: guessed ${times}; now they differ by ${from.v + 0.5 * dt * a - v} m/s.`
+}
+
+/** What a formula is made of: a look at the forces, a name, a literal, a sign. */
+const token = /a\(([^()]*)\)|(v\u0304|Δt|[sva](?:[′½]|[₁-₉][₀₁]?)?)|(√?\d+|½)|([()+−/,²])/gu
+
+/**
+ * An expression of an integrator's formula with numbers in place of its letters. Products, which formulas write by
+ * standing letters side by side, get their ×, and negative numbers the brackets they need.
+ *
+ * @param value what a letter stands for
+ * @param call what the next a(…) gave; an expression that is nothing else shows what stands in its brackets
+ */
+function substituted(
+  expression: string,
+  value: (name: string) => number,
+  call: () => number,
+): Said {
+  const whole = /^a\(([^()]*)\)$/u.exec(expression)
+  if (whole) return ['a(', ...substituted(whole[1]!, value, call), ')']
+  const said: (string | number)[] = []
+  let before = ''
+  for (const [text, look, name, literal] of expression.matchAll(token)) {
+    const isValue = look !== undefined || name !== undefined
+    const beginsOperand = isValue || literal !== undefined || text === '('
+    if (beginsOperand && before !== '' && !/^[(+−/,]$/u.test(before)) said.push(' × ')
+    if (isValue) {
+      const number = look === undefined ? value(name!) : call()
+      const bracket = (number < 0 || Object.is(number, -0)) && !['', '(', ','].includes(before)
+      said.push(...(bracket ? ['(', number, ')'] : [number]))
+    } else said.push(/[+−]/u.test(text) ? ` ${text} ` : text === ',' ? ', ' : text)
+    before = text
+  }
+  return said
+}
+
+const OUTER = 1 / (2 - Math.cbrt(2))
+const INNER = -Math.cbrt(2) * OUTER
+
+/**
+ * The three Verlet steps that a step of Yoshida's method is made of. Only their ends were looked at, so the velocity
+ * between two of them is worked out from the accelerations at both ends.
+ */
+function subSteps({ dt, from, to, slip, reused, evaluations }: TriedStep): TriedStep[] {
+  const looks = [...(reused === undefined ? [] : [{ a: reused }]), ...evaluations]
+  // Where the force ignores v, each step begins with the look that the one before ended with.
+  const shared = looks.length === 4
+  let begin = from
+  return [OUTER, INNER, OUTER].map((part, i) => {
+    const length = part * dt
+    const first = looks[shared ? i : 2 * i]!
+    const last = evaluations[evaluations.length - (shared ? 3 - i : 5 - 2 * i)]!
+    const again = shared && (i > 0 || reused !== undefined)
+    const end = i === 2 ? to : { s: last.s, v: begin.v + 0.5 * (first.a + last.a) * length }
+    const step: TriedStep = {
+      ...{ dt: length, from: begin, to: end, slip },
+      reused: again ? first.a : undefined,
+      evaluations: again ? [last] : [first as typeof last, last],
+    }
+    begin = end
+    return step
+  })
 }

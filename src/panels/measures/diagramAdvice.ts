@@ -1,9 +1,9 @@
 import { html, nothing } from 'lit'
 import { sweepRates } from '../../measure/index.ts'
+import { roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
 import { advice, leastError, pointName } from './diagramWords.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
-import { roughSize } from '../../chart/scale.ts'
 
 /**
  * What to use for which error.

@@ -1,8 +1,8 @@
 import { html, nothing, svg } from 'lit'
-import type { CostKind } from './costs.ts'
+import type { CostKind } from './points.ts'
 import type { DiagramLayout, Drawn, Spot } from './diagramLayout.ts'
-import { metresText } from '../../chart/scale.ts'
-import { round, svgMark } from '../../ui/svgMark.ts'
+import { decadeText } from '../../chart/magnitudes.ts'
+import { round, svgMark } from '../../ui/runnerMark.ts'
 
 /** Drawn stronger, and named: metres, millimetres, micrometres … */
 const isUnit = (exponent: number) => exponent % 3 === 0
@@ -33,7 +33,7 @@ function grid(layout: DiagramLayout, kind: CostKind) {
       if (rounding !== undefined && y > rounding - 6) return nothing
       const strong = isUnit(exponent) || every
       return svg`<line class=${strong ? 'guide' : ''} x1=${left} x2=${right} y1=${y} y2=${y} />
-        ${strong ? svg`<text class="tick" x=${left - 8} y=${y + 4} text-anchor="end">${metresText(exponent)}</text>` : nothing}`
+        ${strong ? svg`<text class="tick" x=${left - 8} y=${y + 4} text-anchor="end">${decadeText(exponent)}</text>` : nothing}`
     })}
     ${across.decades.map((exponent) => {
       const x = round(across.at(10 ** exponent))

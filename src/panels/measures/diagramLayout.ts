@@ -1,6 +1,7 @@
 import { frontier, ROUNDING } from '../../measure/index.ts'
-import { logScale } from '../../chart/scale.ts'
-import type { LogScale } from '../../chart/scale.ts'
+import { logScale } from '../../chart/axis.ts'
+import type { LogScale } from '../../chart/axis.ts'
+import { decadeAbove, decadeBelow } from '../../chart/magnitudes.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
 
 /** A point of the diagram and where it is drawn [px]. */
@@ -70,8 +71,8 @@ export function layOut(
   const bottom = height - BOTTOM
   const floor = exact.length > 0 ? bottom - 10 - ROW * exact.length : bottom
   const errors = seen.map(({ error }) => error)
-  const high = decadeAbove(Math.max(...errors, 1e-3))
-  const low = exact.length > 0 ? ROUNDING : decadeBelow(Math.min(...errors, high / 100))
+  const high = 10 ** decadeAbove(Math.max(...errors, 1e-3))
+  const low = exact.length > 0 ? ROUNDING : 10 ** decadeBelow(Math.min(...errors, high / 100))
   const up = logScale(low, high, floor, top)
   const costs = points.map(({ cost }) => cost).filter((cost) => cost > 0 && cost < Infinity)
   const across = logScale(
@@ -134,12 +135,4 @@ function spread(wanted: readonly number[], top: number, bottom: number): number[
   let below = bottom + LABEL
   for (const i of order.reverse()) below = placed[i] = Math.min(placed[i]!, below - LABEL)
   return placed
-}
-
-function decadeAbove(value: number): number {
-  return 10 ** Math.ceil(Math.log10(value) - 1e-9)
-}
-
-function decadeBelow(value: number): number {
-  return 10 ** Math.floor(Math.log10(value) + 1e-9)
 }

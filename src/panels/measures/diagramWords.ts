@@ -1,9 +1,8 @@
 import { cheapest, ROUNDING } from '../../measure/index.ts'
 import { integrators } from '../../physics/index.ts'
+import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
-import type { CostKind } from './costs.ts'
-import type { DiagramCurve, DiagramPoint } from './points.ts'
-import { metresText, roughSize } from '../../chart/scale.ts'
+import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 
 /** Errors that people ask for, as powers of ten of a metre, and the last: none but rounding. */
 const wanted = [-1, -2, -3, -6, -9]
@@ -25,7 +24,7 @@ export function advice(curves: readonly DiagramCurve[]): Advice[] {
     if (found.at(-1)?.point === point) found.pop()
     found.push({ error, point })
   }
-  for (const exponent of wanted) add(metresText(exponent), 10 ** exponent)
+  for (const exponent of wanted) add(decadeText(exponent), 10 ** exponent)
   add('no error but rounding', ROUNDING)
   return found
 }

@@ -10,7 +10,7 @@ import type { Simulated } from '../../lab/state/simulation.ts'
  * - `selected`: the index of the runner that is looked at closely
  * - `lab`: the lab
  */
-export class LabMeasures extends LitElement {
+class LabMeasures extends LitElement {
   static override properties = {
     simulated: { attribute: false },
     selected: { attribute: false },
@@ -67,3 +67,5 @@ export class LabMeasures extends LitElement {
     this.stopWatching()
   }
 }
+
+customElements.define('lab-measures', LabMeasures)

@@ -1,5 +1,6 @@
 import { cellKinds, coarseCell, ROUNDING } from '../../measure/index.ts'
 import type { CellKind, MapRequest, MapRow } from '../../measure/index.ts'
+import { decadeAbove, decadeBelow } from '../../chart/magnitudes.ts'
 
 /** Beyond a hundred metres one error is as bad as another: this is the ramp's highest power of ten. */
 export const HIGHEST = 2
@@ -47,8 +48,8 @@ export class MapCells {
         high = Math.max(high, value)
       }
     if (low > high) return { low: -3, high: 0 }
-    const top = Math.min(HIGHEST, Math.ceil(Math.log10(high) - 1e-9))
-    return { low: Math.min(top - 1, Math.floor(Math.log10(low) + 1e-9)), high: top }
+    const top = Math.min(HIGHEST, decadeAbove(high))
+    return { low: Math.min(top - 1, decadeBelow(low)), high: top }
   }
 
   /** How many cells there are for which something holds. */

@@ -2,9 +2,9 @@ import { html, nothing, svg } from 'lit'
 import { mappedExperiment, stableRate } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
 import { plain } from '../../chart/numbers.ts'
-import { roundAbove, toStep } from '../../chart/round.ts'
+import { drawnBetween, logScale, roundTicks } from '../../chart/axis.ts'
 import { mappedOption } from './mapWords.ts'
-import { round, svgMark } from '../../ui/svgMark.ts'
+import { round, svgMark } from '../../ui/runnerMark.ts'
 
 /** Where a map's image lies in its picture [px]. */
 export interface MapFrame {
@@ -40,7 +40,8 @@ export function mapDrawing(
   const { width, height, left, right, top, bottom } = frame
   const option = mappedOption(request)
   const shown = right - left < 420 ? fewRates : rates
-  const ticks = roundTicks(request)
+  const { x: xOf, y: yOf } = scales(request, frame)
+  const ticks = roundTicks(request.from, request.to, 7).values
   return html`<svg
     width=${width}
     height=${height}
@@ -49,12 +50,12 @@ export function mapDrawing(
   >
     <g class="grid">
       ${shown.map((fps) => {
-        const x = round(xOf(request, frame, columnOf(request, fps)))
+        const x = round(xOf(fps))
         return svg`<path class="axis" d="M${x} ${bottom}v5" />
           <text class="tick" x=${x} y=${bottom + 18} text-anchor="middle">${fps}</text>`
       })}
       ${ticks.map((value) => {
-        const y = round(yOf(request, frame, rowOf(request, value)))
+        const y = round(yOf(value))
         return svg`<path class="axis" d="M${left} ${y}h-5" />
           <text class="tick" x=${left - 8} y=${y + 4} text-anchor="end">${plain(value)}</text>`
       })}
@@ -71,25 +72,29 @@ export function mapDrawing(
       </text>
     </g>
     ${limit(request, frame)}
-    ${here ? svg`<g class="here" .style="--look: var(--runner-${here.look})">${svgMark(here.look, xOf(request, frame, here.column), yOf(request, frame, here.row), 6)}</g>` : nothing}
+    ${here ? svg`<g class="here" .style="--look: var(--runner-${here.look})">${svgMark(here.look, columnX(request, frame, here.column), rowY(request, frame, here.row), 6)}</g>` : nothing}
     ${cross ? crossHair(request, frame, cross) : nothing}
   </svg>`
 }
 
-/** Round values between the ends of the axis. */
-function roundTicks({ from, to }: MapRequest): number[] {
-  const step = roundAbove((to - from) / 7)
-  const first = Math.ceil(from / step - 1e-9)
-  const last = Math.floor(to / step + 1e-9)
-  return Array.from({ length: last - first + 1 }, (_, i) => toStep((first + i) * step, step))
+/** Where a frame rate and a parameter's value are in the picture [px]. */
+function scales(
+  { slowest, fastest, from, to }: MapRequest,
+  { left, right, top, bottom }: Omit<MapFrame, 'width' | 'height'>,
+): { x: (fps: number) => number; y: (value: number) => number } {
+  return {
+    x: logScale(slowest, fastest, left, right).at,
+    y: drawnBetween({ from, to }, bottom, top),
+  }
 }
 
 /** The place of a frame rate and a parameter's value in a map, if it is there. */
 export function placeOf(request: MapRequest, fps: number, value: number): MapPlace | undefined {
-  const column = columnOf(request, fps)
-  const row = rowOf(request, value)
-  const inside =
-    column >= -0.5 && column <= request.columns - 0.5 && row >= -0.5 && row <= request.rows - 0.5
+  const { columns, rows } = request
+  const { x, y } = scales(request, { left: 0, right: columns, top: rows, bottom: 0 })
+  const column = x(fps) - 0.5
+  const row = y(value) - 0.5
+  const inside = column >= -0.5 && column <= columns - 0.5 && row >= -0.5 && row <= rows - 0.5
   return inside ? { column, row } : undefined
 }
 
@@ -105,19 +110,12 @@ export function cellUnder(
   return column >= 0 && column < columns && row >= 0 && row < rows ? { column, row } : undefined
 }
 
-function columnOf({ slowest, fastest, columns }: MapRequest, fps: number): number {
-  return (columns * Math.log(fps / slowest)) / Math.log(fastest / slowest) - 0.5
-}
-
-function rowOf({ from, to, rows }: MapRequest, value: number): number {
-  return (rows * (value - from)) / (to - from) - 0.5
-}
-
-function xOf({ columns }: MapRequest, { left, right }: MapFrame, column: number): number {
+/** Where the middle of a column is, and that of a row [px]. */
+function columnX({ columns }: MapRequest, { left, right }: MapFrame, column: number): number {
   return left + ((right - left) * (column + 0.5)) / columns
 }
 
-function yOf({ rows }: MapRequest, { top, bottom }: MapFrame, row: number): number {
+function rowY({ rows }: MapRequest, { top, bottom }: MapFrame, row: number): number {
   return bottom - ((bottom - top) * (row + 0.5)) / rows
 }
 
@@ -127,9 +125,7 @@ function limit(request: MapRequest, frame: MapFrame) {
   for (let row = 0; row < request.rows; row++) {
     const rate = stableRate(mappedExperiment(request, 0, row))
     if (rate === undefined || !(rate >= request.slowest && rate <= request.fastest)) continue
-    points.push(
-      `${round(xOf(request, frame, columnOf(request, rate)))} ${round(yOf(request, frame, row))}`,
-    )
+    points.push(`${round(scales(request, frame).x(rate))} ${round(rowY(request, frame, row))}`)
   }
   if (points.length < 2) return nothing
   const path = `M${points.join('L')}`
@@ -137,8 +133,8 @@ function limit(request: MapRequest, frame: MapFrame) {
 }
 
 function crossHair(request: MapRequest, frame: MapFrame, { column, row }: MapPlace) {
-  const x = round(xOf(request, frame, column))
-  const y = round(yOf(request, frame, row))
+  const x = round(columnX(request, frame, column))
+  const y = round(rowY(request, frame, row))
   const { left, right, top, bottom } = frame
   const path = `M${left} ${y}H${x - 5}M${x + 5} ${y}H${right}M${x} ${top}V${y - 5}M${x} ${y + 5}V${bottom}`
   return svg`<g class="cross"><path class="halo" d=${path} /><path d=${path} />

@@ -1,9 +1,9 @@
 import { html } from 'lit'
 import { rateAt, valueAt } from '../../measure/index.ts'
+import { roughSize } from '../../chart/magnitudes.ts'
 import { plain, raw } from '../../chart/numbers.ts'
 import type { MapCells } from './mapCells.ts'
 import { cellWords, mappedOption, valueText } from './mapWords.ts'
-import { roughSize } from '../../chart/scale.ts'
 
 const COLUMNS = 8
 const ROWS = 6

@@ -8,10 +8,10 @@ import {
 } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
 import type { NumberOption } from '../../physics/index.ts'
+import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
 import type { Cell, MapCells } from './mapCells.ts'
 import { parametersOf } from './mapWish.ts'
-import { metresText, roughSize } from '../../chart/scale.ts'
 
 /** The parameter that a map is drawn over. */
 export function mappedOption({ experiment, parameter }: MapRequest): NumberOption {
@@ -76,7 +76,7 @@ export function summary(cells: MapCells): string {
       `${what} to rounding`,
       cells.count(({ value }) => value < ROUNDING),
     ),
-    ...share(`lies between ${metresText(low)} and ${metresText(high)}`, between),
+    ...share(`lies between ${decadeText(low)} and ${decadeText(high)}`, between),
     ...share(
       'leaves the track',
       cells.count(({ kind }) => kind === 'left-the-track'),

@@ -5,10 +5,10 @@ import type { LabView } from '../../lab/labView.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { loadInto, loadMethod } from './loading.ts'
 import type { Measured } from './loading.ts'
-import './speedDiagramElement.ts'
-import { RateMap } from './rateMapView.ts'
-import { MeasuredReport } from './report/measuredReport.ts'
-import { SpreadView } from './spreadView.ts'
+import './speedDiagram.ts'
+import './rateMapView.ts'
+import './report/measuredReport.ts'
+import './spreadView.ts'
 
 const views = [
   {
@@ -108,7 +108,4 @@ class MeasureViews extends LitElement {
   ): void => loadMethod(this.lab, scene, method, { label, words })
 }
 
-customElements.define('rate-map', RateMap)
-customElements.define('spread-view', SpreadView)
-customElements.define('measured-report', MeasuredReport)
 customElements.define('measure-views', MeasureViews)

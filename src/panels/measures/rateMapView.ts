@@ -3,21 +3,22 @@ import { guard } from 'lit/directives/guard.js'
 import type { ResolvedExperiment } from '../../physics/index.ts'
 import { mappedExperiment } from '../../measure/index.ts'
 import type { MapRequest, MapRow, MethodChoice } from '../../measure/index.ts'
-import { areaSize } from './areaSize.ts'
+import { areaSize, arrows, pictureChoice } from './pictureArea.ts'
 import type { Measured } from './loading.ts'
 import { MapCells } from './mapCells.ts'
 import { mapControls } from './mapControls.ts'
-import { mapCross } from './mapCross.ts'
-import { mapDrawing, mapFrame, placeOf } from './mapDrawing.ts'
+import { mapDrawing, mapFrame, placeOf, cellUnder } from './mapDrawing.ts'
 import type { MapFrame, MapPlace } from './mapDrawing.ts'
-import { mapLegend } from './mapLegend.ts'
-import { isDark, keepPainted } from './mapPainter.ts'
+import { mapLegend } from './mapColours.ts'
+import { isDark, keepPainted } from './mapImage.ts'
 import { mapTable } from './mapTable.ts'
 import { mapRequest, parameterFor } from './mapWish.ts'
 import type { MapWish } from './mapWish.ts'
 import { cellWords, limitWords, placeText, summary } from './mapWords.ts'
 import { Measuring } from './measuring.ts'
 import { tableFold } from '../../ui/tableFold.ts'
+import type { ReactiveControllerHost } from 'lit'
+import type { PictureChoice } from './pictureArea.ts'
 
 /**
  * A map of a method's error over frame rates and a parameter, measured while it can be seen.
@@ -26,7 +27,7 @@ import { tableFold } from '../../ui/tableFold.ts'
  * - `look`: the runner's, for the mark that says where it is
  * - `load`: called with the run that the reader wants to see
  */
-export class RateMap extends LitElement implements MapWish {
+class RateMap extends LitElement implements MapWish {
   static override properties = {
     experiment: { attribute: false },
     look: { attribute: false },
@@ -148,3 +149,39 @@ export class RateMap extends LitElement implements MapWish {
     })
   }
 }
+
+/** A map in which a cell can be chosen. */
+interface Host extends ReactiveControllerHost {
+  readonly cells: MapCells
+  readonly frame: MapFrame
+  show(place: MapPlace): void
+}
+
+/** Where the cross hair of a map is. */
+function mapCross(host: Host): PictureChoice<MapPlace> {
+  return pictureChoice(host, {
+    label:
+      'Frame-rate map. The arrow keys move the cross hair, with Shift by ten, Enter shows the run in the lab.',
+    moves: arrows,
+    at: (x, y) => cellUnder(host.cells.request, host.frame, x, y),
+    next: (from, [across, up], shift) => {
+      const { columns, rows } = host.cells.request
+      const { column, row } = from ?? { column: columns / 2, row: rows / 2 }
+      const steps = shift ? 10 : 1
+      return {
+        column: Math.max(0, Math.min(columns - 1, column + across * steps)),
+        row: Math.max(0, Math.min(rows - 1, row + up * steps)),
+      }
+    },
+    words: ({ column, row }) => {
+      const { request } = host.cells
+      return `${placeText(request, column, row)}: the run ${cellWords(host.cells.cell(column, row), request)}.`
+    },
+    show: (place) => {
+      if (place) host.show(place)
+      return true
+    },
+  })
+}
+
+customElements.define('rate-map', RateMap)

@@ -1,30 +1,30 @@
 import { html, LitElement, nothing } from 'lit'
-import { stoppings } from '../../physics/index.ts'
+import { stoppings, integrators } from '../../physics/index.ts'
 import type { Experiment, StoppingId } from '../../physics/index.ts'
 import { sweptExperiment } from '../../measure/index.ts'
 import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
 import { menu } from '../../ui/menu.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { areaSize } from './areaSize.ts'
-import { costKinds } from './costs.ts'
-import type { CostKind } from './costs.ts'
+import { areaSize } from './pictureArea.ts'
+import { costKinds } from './points.ts'
+import type { CostKind, DiagramPoint, DiagramCurve } from './points.ts'
 import { diagramAdvice } from './diagramAdvice.ts'
 import { diagramDrawing } from './diagramDrawing.ts'
-import { curveKey, ringKey } from './diagramKeys.ts'
 import { layOut } from './diagramLayout.ts'
 import type { DiagramLayout, Spot } from './diagramLayout.ts'
 import { diagramTable } from './diagramTable.ts'
-import { pointName, pointWords } from './diagramWords.ts'
+import { pointName, pointWords, errorText } from './diagramWords.ts'
 import { labRunners } from './labRunners.ts'
 import { loadByAddress } from './loading.ts'
 import type { Measured } from './loading.ts'
-import { Measuring } from './measuring.ts'
-import type { DiagramPoint } from './points.ts'
-import { progress } from './progress.ts'
+import { Measuring, progress } from './measuring.ts'
 import { segments } from '../../ui/segments.ts'
 import { spotChoice, spotNamed } from './spotChoice.ts'
 import { Curves, curvesAt, missing, sweepRequest } from './sweptCurves.ts'
 import { tableFold } from '../../ui/tableFold.ts'
+import '../../ui/runnerMark.ts'
+import { raw } from '../../chart/numbers.ts'
+import type { LabRunner } from './labRunners.ts'
 
 /**
  * Speed against error: what each method costs in a scene, and the error that this buys, measured while it can be seen.
@@ -34,7 +34,7 @@ import { tableFold } from '../../ui/tableFold.ts'
  * - `runners`: of the lab that it stands in, to be seen among the curves
  * - `load`: called with the run that the reader wants to see; without it the page's own lab shows it
  */
-export class SpeedDiagram extends LitElement {
+class SpeedDiagram extends LitElement {
   static override properties = {
     experiment: { type: Object },
     runners: { attribute: false },
@@ -156,3 +156,37 @@ export class SpeedDiagram extends LitElement {
     return sweepRequest(this.experiment, this.stopping)
   }
 }
+
+/** Which curve is whose, and of what order it turned out. Its room is known before the curves are. */
+export function curveKey(curves: readonly DiagramCurve[]) {
+  return html`<ul class="key curve-key">
+    ${integrators.map(
+      ({ id, label, colour }) =>
+        html`<li>
+          <runner-mark .look=${colour}></runner-mark> ${label}
+          <span class="soft">${curves.find(({ method }) => method === id)?.order}</span>
+        </li>`,
+    )}
+  </ul>`
+}
+
+/** Which ring is which runner's, with its error, or why it has none. */
+export function ringKey(runners: readonly LabRunner[]) {
+  return html`<ul class="key ring-key">
+    <li class="soft">Rings: the lab’s runners</li>
+    ${runners.map(
+      ({ name, look, point, why }) =>
+        html`<li title=${point ? `${raw(point.error)} m` : ''}>
+          <runner-mark .look=${look}></runner-mark> ${name}
+          <span class="soft">${point ? errorText(point) : `no ring: ${why}`}</span>
+        </li>`,
+    )}
+    ${
+      runners.some(({ point }) => point?.runner!.apart)
+        ? html`<li class="soft">Dashed: stops or steps otherwise than the curves</li>`
+        : nothing
+    }
+  </ul>`
+}
+
+customElements.define('speed-diagram', SpeedDiagram)

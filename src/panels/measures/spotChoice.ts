@@ -2,8 +2,8 @@ import type { ReactiveControllerHost } from 'lit'
 import { nearestSpot, rowsOf } from './diagramLayout.ts'
 import type { DiagramLayout, Spot } from './diagramLayout.ts'
 import { pointName } from './diagramWords.ts'
-import { arrows, pictureChoice } from './pictureChoice.ts'
-import type { Move, PictureChoice } from './pictureChoice.ts'
+import { arrows, pictureChoice } from './pictureArea.ts'
+import type { Move, PictureChoice } from './pictureArea.ts'
 import type { DiagramPoint } from './points.ts'
 
 /** A diagram in which a spot can be chosen. */

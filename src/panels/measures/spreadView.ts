@@ -3,14 +3,13 @@ import { integrators, scenes, stoppings, timesteps } from '../../physics/index.t
 import type { Experiment, SceneId } from '../../physics/index.ts'
 import { spreadMethods } from '../../measure/index.ts'
 import type { MethodChoice, SpreadRequest, SpreadRow } from '../../measure/index.ts'
+import { sizeText } from '../../chart/magnitudes.ts'
 import { raw } from '../../chart/numbers.ts'
 import { menu } from '../../ui/menu.ts'
 import { openingOf } from '../../lab/state/opening.ts'
-import { choose } from '../../lab/state/state.ts'
+import { choose } from '../../lab/state/change.ts'
 import type { LabState, RunnerState } from '../../lab/state/state.ts'
-import { Measuring } from './measuring.ts'
-import { progress } from './progress.ts'
-import { sizeText } from '../../chart/scale.ts'
+import { Measuring, progress } from './measuring.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
 /**
@@ -19,7 +18,7 @@ import { sharedExperiment } from './sharedExperiment.ts'
  * - `state`: of the lab; its own scene is measured with its parameters, the others as they open
  * - `load`: called with a scene and a method that the reader wants to see
  */
-export class SpreadView extends LitElement {
+class SpreadView extends LitElement {
   static override properties = {
     state: { attribute: false },
     stopping: { state: true },
@@ -145,3 +144,5 @@ export class SpreadView extends LitElement {
     </tr>`
   }
 }
+
+customElements.define('spread-view', SpreadView)

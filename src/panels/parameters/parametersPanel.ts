@@ -4,6 +4,7 @@ import { limits } from '../../physics/index.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { openingOf } from '../../lab/state/opening.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
+import '../../ui/quantityControl.ts'
 
 const durationQuantity: Quantity = {
   label: 'Duration',

@@ -1,12 +1,25 @@
 import { clamp } from '../../chart/geometry.ts'
-import type { Box, Point } from '../../chart/geometry.ts'
+import type { Point, Box } from '../../chart/geometry.ts'
 import type { Palette } from '../../view/palette.ts'
-import { drawAxes } from '../../chart/axes.ts'
-import { boxOf, clip } from './box.ts'
-import { drawMarks } from './curveMarks.ts'
+import { drawAxes, graphIn } from '../../chart/graph.ts'
+import type { AxisSizes, Graph } from '../../chart/graph.ts'
 import { EXACT } from './curves.ts'
 import type { Curve, Drawing } from './curves.ts'
 import { cleared } from '../../chart/pen.ts'
+import { markPath } from '../../view/marks.ts'
+
+/** The part of a chart of that size in which there are curves; the labels of the axes are to its left and below it [px]. */
+export function boxOf(width: number, height: number): Box {
+  return { left: 66, top: 8, right: width - 14, bottom: height - 24 }
+}
+
+/** Lets a pen draw only so near to a box [px]. */
+export function clip(pen: CanvasRenderingContext2D, box: Box, room: number): void {
+  const { left, top, right, bottom } = box
+  pen.beginPath()
+  pen.rect(left - room, top - room, right - left + 2 * room, bottom - top + 2 * room)
+  pen.clip()
+}
 
 /** How a chart is drawn. */
 export interface ChartLook {
@@ -18,17 +31,26 @@ export interface ChartLook {
   readonly height: number
 }
 
+const dense: Omit<AxisSizes, 'ratio'> = { font: 11, across: 48, up: 28, left: 6, below: 15 }
+
 /** Draws the axes and all curves, each runner's with its marks. */
 export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, look: ChartLook): void {
   const { palette, selected, width, height } = look
   const pen = cleared(canvas, width, height)
   const box = boxOf(width, height)
-  drawAxes(pen, drawing, box, palette)
+  const graph = graphIn(box, drawing.across, drawing.up)
+  drawAxes(
+    pen,
+    graph,
+    {},
+    { ...palette, edge: palette.line },
+    { ...dense, ratio: devicePixelRatio },
+  )
   pen.lineJoin = 'round'
   for (const curve of drawing.curves) {
     const isExact = curve.look === EXACT
     const isSelected = curve.index === selected
-    const spots = spotsOf(curve, drawing, box)
+    const spots = spotsOf(curve, graph)
     const colour = isExact ? palette.ink : palette.runners[curve.look]!.fill
     pen.save()
     clip(pen, box, 1)
@@ -47,12 +69,10 @@ export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, look: Cha
 }
 
 /** The places of a curve [px]. Far outside the canvas all are alike: it can't tell them apart either. */
-function spotsOf({ x, y }: Curve, { across, up }: Drawing, box: Box): Point[] {
-  const width = (box.right - box.left) / (across.to - across.from)
-  const height = (box.bottom - box.top) / (up.to - up.from)
+function spotsOf({ x, y }: Curve, { column, row }: Graph): Point[] {
   return x.map((at, i) => ({
-    x: clamp(box.left + (at - across.from) * width, -1e5, 1e5),
-    y: clamp(box.bottom - (y[i]! - up.from) * height, -1e5, 1e5),
+    x: clamp(column(at), -1e5, 1e5),
+    y: clamp(row(y[i]!), -1e5, 1e5),
   }))
 }
 
@@ -64,4 +84,40 @@ function lineThrough(spots: readonly Point[], stepped: boolean): Path2D {
     path.lineTo(x, y)
   })
   return path
+}
+
+/** Between two marks on a curve [px]. */
+const GAP = 30
+
+/** On a curve that runs round and round. */
+const MOST = 24
+
+/** Draws marks on frames of a runner's curve, far enough from each other to be told apart; `radius` in pixels. */
+function drawMarks(
+  pen: CanvasRenderingContext2D,
+  look: number,
+  spots: readonly Point[],
+  { box, stepped, radius }: { box: Box; stepped: boolean; radius: number },
+): void {
+  const { left, top, right, bottom } = box
+  const far = (i: number, j: number) => {
+    const dx = spots[i]!.x - spots[j]!.x
+    return stepped ? dx : Math.hypot(dx, spots[i]!.y - spots[j]!.y)
+  }
+  const seen = ({ x, y }: Point) =>
+    x >= left - 1 && x <= right + 1 && y >= top - 1 && y <= bottom + 1
+  let length = 0
+  spots.forEach((spot, i) => {
+    if (i > 0 && seen(spot)) length += Math.min(far(i, i - 1), right - left)
+  })
+  const gap = Math.max(GAP, length / MOST)
+  // Not all at the same places, so that marks of curves that lie on each other are seen.
+  let due = (gap * (look % 4)) / 4
+  let last = 0
+  spots.forEach((spot, i) => {
+    if (far(i, last) < due) return
+    last = i
+    due = gap
+    if (seen(spot)) pen.fill(markPath(look, spot.x, spot.y, radius))
+  })
 }

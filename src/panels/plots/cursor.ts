@@ -1,7 +1,9 @@
 import type { Box, Point } from '../../chart/geometry.ts'
 import { markOf } from '../../view/marks.ts'
 import type { Palette } from '../../view/palette.ts'
-import { boxOf, clip } from './box.ts'
+import { graphIn } from '../../chart/graph.ts'
+import type { Graph } from '../../chart/graph.ts'
+import { boxOf, clip } from './chart.ts'
 import { EXACT } from './curves.ts'
 import type { Drawing } from './curves.ts'
 import { cleared } from '../../chart/pen.ts'
@@ -26,15 +28,16 @@ export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette:
   const { drawing, width, height, time, hover, readings } = pointed
   const pen = cleared(canvas, width, height)
   const box = boxOf(width, height)
+  const graph = graphIn(box, drawing.across, drawing.up)
   pen.save()
   clip(pen, box, 6)
   if (drawing.stepped) {
-    drawLine(pen, drawing, box, time, palette.accent, hover === undefined ? 1.5 : 1)
-    if (hover !== undefined) drawLine(pen, drawing, box, hover, palette.ink, 1)
+    drawLine(pen, graph, time, palette.accent, hover === undefined ? 1.5 : 1)
+    if (hover !== undefined) drawLine(pen, graph, hover, palette.ink, 1)
   }
   for (const { look, x, y } of readings) {
     const over = drawing.stepped ? (hover ?? time) : x
-    const spot = spotOf(drawing, box, over, y)
+    const spot = { x: graph.x(over), y: graph.y(y) }
     if (!Number.isFinite(spot.x) || !Number.isFinite(spot.y)) continue
     pen.lineWidth = 3
     pen.strokeStyle = palette.sheet
@@ -48,15 +51,6 @@ export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette:
   pen.restore()
 }
 
-/** Where values stand in a chart [px]. */
-function spotOf({ across, up }: Drawing, box: Box, x: number, y: number): Point {
-  const part = (at: number, { from, to }: { from: number; to: number }) => (at - from) / (to - from)
-  return {
-    x: box.left + part(across.at(x), across) * (box.right - box.left),
-    y: box.bottom - part(up.at(y), up) * (box.bottom - box.top),
-  }
-}
-
 /** The time that a point of a chart belongs to [s]: over time that below it, else that of the nearest frame shown. */
 export function timeAt({ across, up, curves, stepped }: Drawing, box: Box, point: Point): number {
   const part = (point.x - box.left) / (box.right - box.left)
@@ -65,15 +59,12 @@ export function timeAt({ across, up, curves, stepped }: Drawing, box: Box, point
       across.to,
       Math.max(across.from, across.from + part * (across.to - across.from)),
     )
-  const width = (box.right - box.left) / (across.to - across.from)
-  const height = (box.bottom - box.top) / (up.to - up.from)
+  const { column, row } = graphIn(box, across, up)
   let nearest = Infinity
   let time = 0
   for (const curve of curves) {
     for (let i = 0; i < curve.x.length; i++) {
-      const x = box.left + (curve.x[i]! - across.from) * width
-      const y = box.bottom - (curve.y[i]! - up.from) * height
-      const distance = (x - point.x) ** 2 + (y - point.y) ** 2
+      const distance = (column(curve.x[i]!) - point.x) ** 2 + (row(curve.y[i]!) - point.y) ** 2
       if (distance >= nearest) continue
       nearest = distance
       time = curve.time[i]!
@@ -84,18 +75,16 @@ export function timeAt({ across, up, curves, stepped }: Drawing, box: Box, point
 
 function drawLine(
   pen: CanvasRenderingContext2D,
-  drawing: Drawing,
-  box: Box,
+  { box, x }: Graph,
   time: number,
   colour: string,
   width: number,
 ): void {
-  const { x } = spotOf(drawing, box, time, 0)
   pen.strokeStyle = colour
   pen.lineWidth = width
   pen.beginPath()
-  pen.moveTo(x, box.top)
-  pen.lineTo(x, box.bottom)
+  pen.moveTo(x(time), box.top)
+  pen.lineTo(x(time), box.bottom)
   pen.stroke()
 }
 

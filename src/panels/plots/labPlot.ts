@@ -3,18 +3,16 @@ import { PaletteReader } from '../../view/palette.ts'
 import type { Palette } from '../../view/palette.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
-import { pointIn } from '../../ui/pointIn.ts'
+import { pointIn } from '../../ui/input.ts'
 import { tableFold } from '../../ui/tableFold.ts'
 import { onThemeChange } from '../../ui/theme.ts'
-import { boxOf } from './box.ts'
-import { drawChart } from './chart.ts'
+import { boxOf, drawChart } from './chart.ts'
 import { drawCursor, timeAt } from './cursor.ts'
 import { drawingOf } from './curves.ts'
 import type { Drawing } from './curves.ts'
 import type { PlotKind } from './kinds.ts'
-import { inFull, readingsAt, spoken } from './readings.ts'
-import { plotTable } from './plotTable.ts'
-import { plotValues } from './plotValues.ts'
+import { inFull, readingsAt, spoken, plotValues } from './readings.ts'
+import { plotTable } from './table.ts'
 
 /** The time that readings have to stand still before they are told [ms]. */
 const PAUSE = 300
@@ -30,7 +28,7 @@ const PAUSE = 300
  * - `selected`: the index of the runner that is drawn stronger
  * - `seek`, `point`: called with the time that is clicked on, and pointed at
  */
-export class LabPlot extends LitElement {
+class LabPlot extends LitElement {
   static override properties = {
     kind: { attribute: false },
     simulated: { attribute: false },
@@ -229,3 +227,5 @@ export class LabPlot extends LitElement {
     return timeAt(drawing, boxOf(width, height), at)
   }
 }
+
+customElements.define('lab-plot', LabPlot)

@@ -4,6 +4,8 @@ import { segments } from '../../ui/segments.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import { plotKinds } from './kinds.ts'
+import './labPlot.ts'
+import '../../ui/runnerMark.ts'
 
 /**
  * All plots of a lab: side by side where there is room, one at a time on a phone. They share one cursor with each other
@@ -14,7 +16,7 @@ import { plotKinds } from './kinds.ts'
  * - `selected`: the index of the runner that is looked at closely
  * - `seek`: called with the time that the reader goes to
  */
-export class LabPlots extends LitElement {
+class LabPlots extends LitElement {
   static override properties = {
     simulated: { attribute: false },
     time: { attribute: false },
@@ -93,3 +95,5 @@ export class LabPlots extends LitElement {
     this.hover = time
   }
 }
+
+customElements.define('lab-plots', LabPlots)

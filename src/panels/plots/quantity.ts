@@ -1,5 +1,6 @@
 import { energyResidual, presentationErrors } from '../../measure/index.ts'
 import type { State, Trajectory } from '../../physics/index.ts'
+import { residualText } from '../../chart/magnitudes.ts'
 import { fixed, place, plain } from '../../chart/numbers.ts'
 
 /** Something that a plot shows of every frame of a run. */
@@ -21,9 +22,6 @@ export interface Quantity {
 
 /** What an error of 0 is drawn as [m]: a logarithm has no place for it. */
 const FLOOR = 1e-16
-
-/** Below this an error is an accident of rounding, as it is in all texts [m]. */
-export const ROUNDING = 1e-11
 
 const thin = '\u2009'
 
@@ -57,7 +55,7 @@ export const error: Quantity = {
   values: remembered((trajectory) =>
     presentationErrors(trajectory).each.map((each) => Math.max(FLOOR, Math.abs(each))),
   ),
-  text: (value) => small(value, 'm'),
+  text: (value) => residualText(value, 'm'),
   least: 0,
   residual: true,
   logarithmic: true,
@@ -69,20 +67,9 @@ export const energy: Quantity = {
   unit: 'J',
   values: remembered(energyResidual),
   ofExact: () => 0,
-  text: (value) => small(value, 'J'),
+  text: (value) => residualText(value, 'J'),
   least: 0.001,
   residual: true,
-}
-
-/** A figure that should be 0, from thousands down to rounding, in little room: “0.146 m”, “−5.54 mJ”, “12 pm”. */
-function small(value: number, unit: string): string {
-  const size = Math.abs(value)
-  if (size > 0 && size < ROUNDING) return 'rounding'
-  if (size >= 1000 || size === 0 || Number.isNaN(size)) return `${plain(value)}${thin}${unit}`
-  // Where thousandths say enough all have them, so that points stand under points.
-  if (size >= 0.01) return `${fixed(value, 3)}${thin}${unit}`
-  const steps = size >= 1e-3 ? 1 : size >= 1e-6 ? 2 : size >= 1e-9 ? 3 : 4
-  return `${plain(value * 1000 ** steps)}${thin}${'mµnp'[steps - 1]!}${unit}`
 }
 
 /** The values of a run are worked out once, however often it is drawn. */

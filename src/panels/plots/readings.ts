@@ -3,6 +3,8 @@ import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { EXACT } from './curves.ts'
 import type { PlotKind } from './kinds.ts'
+import { html, nothing } from 'lit'
+import '../../ui/runnerMark.ts'
 
 /** What a runner, or the exact block, shows in a plot at a time. */
 export interface Reading {
@@ -60,4 +62,33 @@ function reading(
       return over ? `${over.text(x)}, ${of.text(y)}` : of.text(y)
     },
   }
+}
+
+/**
+ * What each visible runner shows at the cursor. Each has its place, whatever stands there: nothing moves when values come
+ * and go.
+ */
+export function plotValues(
+  kind: PlotKind,
+  { visible }: Simulated,
+  readings: readonly Reading[],
+  pointed: (event: PointerEvent) => void,
+) {
+  const looks = [
+    ...visible.map(({ state, name }) => ({ look: state.look, name })),
+    ...(kind.of.ofExact ? [{ look: EXACT, name: 'exact' }] : []),
+  ]
+  return html`<ul class="values" data-pair=${kind.over ? '' : nothing} @pointerover=${pointed}>
+    ${looks.map(({ look, name }, i) => {
+      const reading = readings[i]
+      return html`<li data-index=${i}>
+        ${
+          look === EXACT
+            ? html`<span class="dash" aria-hidden="true"></span>`
+            : html`<runner-mark .look=${look}></runner-mark>`
+        }<span class="visually-hidden">${name}</span>
+        <span class="value">${reading?.text ?? '–'}</span>
+      </li>`
+    })}
+  </ul>`
 }

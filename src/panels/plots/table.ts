@@ -1,10 +1,10 @@
 import type { Trajectory } from '../../physics/index.ts'
-import { fixed, plain, raw } from '../../chart/numbers.ts'
+import { fixed, plain, raw, ROUNDING } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind } from './kinds.ts'
-import { ROUNDING } from './quantity.ts'
 import type { Quantity } from './quantity.ts'
+import { html } from 'lit'
 
 /** A plot in figures. */
 export interface PlotTable {
@@ -73,4 +73,27 @@ function figure({ residual }: Quantity, value: number): string {
   const size = Math.abs(value)
   if (residual && size < ROUNDING) return '0 (to rounding)'
   return size < 1e4 && (!residual || size >= 0.01) ? fixed(value, 3) : plain(value)
+}
+
+/** A plot as a table, which scrolls inside itself. */
+export function plotTable(kind: PlotKind, simulated: Simulated) {
+  const { head, rows } = tableOf(kind, simulated)
+  return html`<div class="scroll" tabindex="0" role="region" aria-label="${kind.title}, table">
+    <table>
+      <thead>
+        <tr>
+          ${head.map((text) => html`<th scope="col">${text}</th>`)}
+        </tr>
+      </thead>
+      <tbody>
+        ${rows.map(
+          ({ time, cells }) =>
+            html`<tr>
+              <th scope="row">${time}</th>
+              ${cells.map(({ text, title }) => html`<td title=${title}>${text}</td>`)}
+            </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`
 }

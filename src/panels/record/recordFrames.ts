@@ -2,12 +2,10 @@ import { html, LitElement, nothing } from 'lit'
 import { fixed, plain } from '../../chart/numbers.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { binsOf } from './bins.ts'
-import { durationsOf } from '../../lab/state/durations.ts'
-import { histogram } from './histogram.ts'
+import { binsOf, histogram } from './histogram.ts'
+import { durationsOf, summarize, summaryText } from '../../lab/state/frameTimes.ts'
 import { animationFrames, record } from './recording.ts'
 import type { FrameSource } from './recording.ts'
-import { summarize, summaryText } from '../../lab/state/summary.ts'
 
 /** How often the progress is shown [s]: the recorder must not be what slows the frames down. */
 const PROGRESS = 0.1
@@ -20,7 +18,7 @@ const PROGRESS = 0.1
  * - `source`: where frames come from, this browser window unless told otherwise
  * - `length`: how long it records [s]
  */
-export class RecordFrames extends LitElement {
+class RecordFrames extends LitElement {
   static override properties = {
     lab: { attribute: false },
     selected: { attribute: false },
@@ -163,3 +161,5 @@ export class RecordFrames extends LitElement {
     return { kind: 'recorded', durations: [...this.durations] } as const
   }
 }
+
+customElements.define('record-frames', RecordFrames)

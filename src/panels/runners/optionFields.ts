@@ -1,8 +1,9 @@
 import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../../physics/index.ts'
-import { readNumber, writeNumber } from '../../chart/numberText.ts'
-import { summaryText } from '../../lab/state/summary.ts'
+import { readNumber, writeNumber } from '../../chart/numbers.ts'
+import { summaryText } from '../../lab/state/frameTimes.ts'
+import '../../ui/quantityControl.ts'
 
 interface OptionFields {
   /** Whose options they are. */

@@ -1,19 +1,19 @@
 import { html, LitElement, nothing } from 'lit'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
-import type { Described, Options } from '../../physics/index.ts'
-import { count } from '../../chart/numbers.ts'
-import { rowAt } from '../../view/timeline.ts'
+import type { Described, Options, Trajectory } from '../../physics/index.ts'
+import { count, place, raw, seconds } from '../../chart/numbers.ts'
+import { rowAt, endOf } from '../../view/timeline.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
-import { endText } from './endText.ts'
-import { errorText } from '../../lab/errorText.ts'
+import { errorText } from '../../lab/words.ts'
 import { icon } from '../../ui/icons.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { menu } from '../../ui/menu.ts'
 import { optionFields } from './optionFields.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { choose } from '../../lab/state/state.ts'
+import { choose } from '../../lab/state/change.ts'
 import type { RunnerState } from '../../lab/state/state.ts'
+import '../../ui/runnerMark.ts'
 
 /**
  * A runner's row: what can be set on it, and how wrong it is.
@@ -22,7 +22,7 @@ import type { RunnerState } from '../../lab/state/state.ts'
  * - `runner`, `index`: which one it is
  * - `selected`: whether it is the one that is looked at closely
  */
-export class RunnerRow extends LitElement {
+class RunnerRow extends LitElement {
   static override properties = {
     lab: { attribute: false },
     runner: { attribute: false },
@@ -237,3 +237,21 @@ export class RunnerRow extends LitElement {
     return this.problem === ''
   }
 }
+
+const words = { 'at-rest': '', 'left-the-track': 'left the track', diverged: 'diverged' }
+
+/** When and where a run stopped, or what else became of it: “0.70 s · 1.47 m”, “moving”, “diverged 1.20 s”. */
+export function endText(trajectory: Trajectory): { text: string; title: string } {
+  const { drawnS, v, frames, experiment } = trajectory
+  const end = endOf(trajectory)
+  if (!end && v[frames] === 0)
+    return { text: 'at a stop', title: 'Its speed is 0 as the run is over' }
+  if (!end) return { text: 'moving', title: 'Still moving when the run is over' }
+  const { kind, time } = end
+  const way = Math.abs(drawnS[frames]! - experiment.parameters.position!)
+  const title = `t = ${raw(time)} s, ${raw(way)} m from the start`
+  if (kind === 'at-rest') return { text: `${seconds(time)} · ${place(way)}`, title }
+  return { text: `${words[kind]} ${seconds(time)}`, title }
+}
+
+customElements.define('runner-row', RunnerRow)

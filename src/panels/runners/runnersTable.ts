@@ -4,6 +4,7 @@ import { frameClocks, integrators, stoppings, timesteps } from '../../physics/in
 import type { Described } from '../../physics/index.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { LabView } from '../../lab/labView.ts'
+import './runnerRow.ts'
 
 const headings = [
   ...['Frame rate', 'Frames', 'Integrator', 'Stopping', 'Time step'],

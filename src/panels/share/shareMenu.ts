@@ -2,16 +2,16 @@ import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/freshId.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { toCsv } from './csv.ts'
+import { linkTo } from '../../lab/state/address.ts'
 import { isPublic, site } from '../../lab/site.ts'
-import { pictureOf, save } from './save.ts'
-import { elementCode, fileName, frameCode, linkTo, toJson } from './texts.ts'
+import { elementCode, fileName, frameCode, toJson } from './texts.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.
  *
  * - `lab`: the lab
  */
-export class ShareMenu extends LitElement {
+class ShareMenu extends LitElement {
   static override properties = {
     lab: { attribute: false },
     open: { state: true },
@@ -150,3 +150,25 @@ export class ShareMenu extends LitElement {
     this.status = `Saved as ${name}`
   }
 }
+
+/** Hands a file to the reader, as a download. */
+function save(content: Blob, name: string): void {
+  const link = document.createElement('a')
+  link.href = URL.createObjectURL(content)
+  link.download = name
+  link.click()
+  // Some browsers take the content a little later.
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000)
+}
+
+/** What is drawn on a canvas, pixel by pixel. */
+function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => {
+      if (blob) resolve(blob)
+      else reject(new Error('The browser could not make a picture of it.'))
+    }, 'image/png')
+  })
+}
+
+customElements.define('share-menu', ShareMenu)

@@ -1,16 +1,9 @@
 import { parseExperiment } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
-import { writeAddress } from '../../lab/state/address.ts'
+import { linkTo, writeAddress } from '../../lab/state/address.ts'
 import { experimentOf } from '../../lab/state/check.ts'
 import { namesOf } from '../../lab/state/names.ts'
 import type { LabState } from '../../lab/state/state.ts'
-
-/** The address of a page of the site that shows a state: `page` is relative to where the site is. */
-export function linkTo(page: string, site: string, state: LabState): string {
-  const url = new URL(page, site)
-  url.hash = writeAddress(state)
-  return url.href
-}
 
 /**
  * HTML for other people's pages that shows a state in a frame of its own, which can do nothing but run its script. The

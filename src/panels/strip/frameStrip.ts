@@ -7,11 +7,11 @@ import type { Playback } from '../../lab/playback/playback.ts'
 import { drawPlayhead } from './playhead.ts'
 import { drawLane } from './stripDrawing.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { noteOf, stripText } from './stripLanes.ts'
-import { hasNote, layOutLanes } from './stripLayout.ts'
+import { noteOf, stripText } from './stripWords.ts'
 import { StripTiles } from './stripTiles.ts'
 import type { Stretch } from './stripTiles.ts'
 import { onThemeChange } from '../../ui/theme.ts'
+import { clockworkOf } from '../../lab/state/clockwork.ts'
 
 /** With fewer pixels than this to a frame, the time around the cursor is shown enlarged [px]. */
 const DENSE = 3
@@ -27,7 +27,7 @@ const ENLARGED = 12
  * - `duration`: the length of the axis [s]
  * - `playback`: the cursor
  */
-export class FrameStrip extends LitElement {
+class FrameStrip extends LitElement {
   static override properties = {
     runners: { attribute: false },
     duration: { attribute: false },
@@ -224,3 +224,37 @@ function coloursOf(element: Element): Colours {
     sheet: colour('--sheet'),
   }
 }
+
+/** The line under a lane that says what is odd about its time [px]. */
+const NOTE = 17
+
+/** How high a lane is, and where its note stands [px]. */
+interface Lane {
+  readonly top: number
+  readonly frames: number
+  readonly steps: number
+  readonly note: number
+}
+
+/** Where each runner's lane stands, with or without room for notes. */
+function layOutLanes(runners: readonly SimulatedRunner[], noted: boolean) {
+  const plain = Math.max(8, 32 / runners.length)
+  let height = 0
+  const boxes = runners.map((runner): Lane => {
+    const top = height
+    const stepping = clockworkOf(runner.trajectory).step !== undefined
+    const frames = stepping ? 10 : plain
+    const steps = stepping ? 13 : 0
+    const note = top + frames + steps
+    height = note + (noted && hasNote(runner) ? NOTE : 0)
+    return { top, frames, steps, note }
+  })
+  return { boxes, height: Math.max(height, 8) }
+}
+
+/** Whether there is something to say of a runner's time, at every instant or at none. */
+function hasNote(runner: SimulatedRunner): boolean {
+  return noteOf(runner, 0) !== ''
+}
+
+customElements.define('frame-strip', FrameStrip)

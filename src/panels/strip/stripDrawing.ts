@@ -1,6 +1,6 @@
 import type { Trajectory } from '../../physics/index.ts'
 import { rowAt } from '../../view/timeline.ts'
-import { clockworkOf, stepTimes } from './stripLanes.ts'
+import { clockworkOf, stepTimes } from '../../lab/state/clockwork.ts'
 
 /** A stretch of time on a canvas [s], all else in its own pixels. */
 export interface Axis {

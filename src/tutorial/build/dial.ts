@@ -1,6 +1,6 @@
 import type { Brace } from './braces.ts'
 import type { Book } from './book.ts'
-import { attributes, escaped } from './html.ts'
+import { attributes, escaped } from '../still/html.ts'
 import type { Place } from './problem.ts'
 import { wrongValue } from './presets.ts'
 

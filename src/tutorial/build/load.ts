@@ -7,8 +7,7 @@ import { facts } from '../facts/index.ts'
 import { highlighter } from './highlight.ts'
 import type { FigureInfo, Materials, TextFile } from './materials.ts'
 import { TextError } from './problem.ts'
-import { figureStill } from './still/figureStill.ts'
-import { labStill } from './still/labStill.ts'
+import { figureStill, labStill } from '../still/stills.ts'
 import { tutorialHtml } from './tutorial.ts'
 
 /** The order in which the take-home languages are shown. */

@@ -3,7 +3,7 @@ import { frameClocks, scenes, simulate, timesteps } from '../../../src/physics/i
 import { experimentOf } from '../../../src/lab/state/check.ts'
 import { modeOf, modes } from '../../../src/lab/state/modes.ts'
 import { opening, openingOf } from '../../../src/lab/state/opening.ts'
-import { changed, choose } from '../../../src/lab/state/state.ts'
+import { changed, choose } from '../../../src/lab/state/change.ts'
 
 const ends = (state: typeof opening) =>
   state.runners.map((runner) => {

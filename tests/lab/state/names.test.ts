@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { namesOf } from '../../../src/lab/state/names.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
-import { changed } from '../../../src/lab/state/state.ts'
+import { changed } from '../../../src/lab/state/change.ts'
 import type { RunnerState } from '../../../src/lab/state/state.ts'
 
 const [ten] = opening.runners as [RunnerState]

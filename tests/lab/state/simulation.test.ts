@@ -2,11 +2,11 @@ import { expect, test } from 'vitest'
 import { simulate } from '../../../src/physics/index.ts'
 import { presentationErrors } from '../../../src/measure/index.ts'
 import { experimentOf } from '../../../src/lab/state/check.ts'
-import { errorText, lengthText } from '../../../src/lab/errorText.ts'
+import { lengthText } from '../../../src/chart/numbers.ts'
+import { errorText, describe as inWords } from '../../../src/lab/words.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { errorAt, Simulation } from '../../../src/lab/state/simulation.ts'
-import { changed } from '../../../src/lab/state/state.ts'
-import { describe as inWords } from '../../../src/lab/words.ts'
+import { changed } from '../../../src/lab/state/change.ts'
 
 test('what is simulated is what simulate returns', () => {
   const { runners, spread } = new Simulation().run(opening)

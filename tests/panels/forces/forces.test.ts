@@ -3,13 +3,18 @@ import { resolve } from 'node:path'
 import { describe, expect, test } from 'vitest'
 import { dot, forcesAt, length, simulate } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
-import { forcesOf, largestOf } from '../../../src/panels/forces/forces.ts'
-import { arrowNames, lookedAt, pictureForces } from '../../../src/panels/forces/forcesPicture.ts'
-import { frictionText, quantity } from '../../../src/panels/forces/forcesText.ts'
+import {
+  forcesOf,
+  largestOf,
+  arrowNames,
+  lookedAt,
+  pictureForces,
+} from '../../../src/panels/forces/forcesPicture.ts'
+import { frictionText, quantity } from '../../../src/panels/forces/forcesPanel.ts'
 import type { LabView } from '../../../src/lab/labView.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { Simulation } from '../../../src/lab/state/simulation.ts'
-import { changed } from '../../../src/lab/state/state.ts'
+import { changed } from '../../../src/lab/state/change.ts'
 import type { LabState } from '../../../src/lab/state/state.ts'
 
 /** A lab that only looks. */

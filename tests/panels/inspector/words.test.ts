@@ -1,9 +1,14 @@
 import { describe, expect, test } from 'vitest'
 import { simulate, traceFrame } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
-import { frameLength, policyWords } from '../../../src/panels/inspector/policyWords.ts'
-import { wordsAfter, wordsBefore } from '../../../src/panels/inspector/ruleWords.ts'
-import { numeral, say, textOf } from '../../../src/panels/inspector/said.ts'
+import {
+  frameLength,
+  policyWords,
+  wordsAfter,
+  wordsBefore,
+} from '../../../src/panels/inspector/stepWords.ts'
+import { numeral } from '../../../src/chart/magnitudes.ts'
+import { say, textOf } from '../../../src/panels/inspector/said.ts'
 
 const kicked: Experiment = {
   scene: 'ramp',

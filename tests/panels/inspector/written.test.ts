@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest'
 import { integrators, scenes, simulate, stoppings, traceFrame } from '../../../src/physics/index.ts'
 import type { Experiment, Integrator, TriedStep } from '../../../src/physics/index.ts'
-import { numeral, textOf } from '../../../src/panels/inspector/said.ts'
+import { numeral } from '../../../src/chart/magnitudes.ts'
+import { textOf } from '../../../src/panels/inspector/said.ts'
 import type { Said } from '../../../src/panels/inspector/said.ts'
 import { written } from '../../../src/panels/inspector/written.ts'
 

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest'
-import { costKinds } from '../../../src/panels/measures/costs.ts'
+import { costKinds, diagramCurves } from '../../../src/panels/measures/points.ts'
 import { layOut, nearestSpot } from '../../../src/panels/measures/diagramLayout.ts'
 import { advice, leastError, pointWords } from '../../../src/panels/measures/diagramWords.ts'
-import { diagramCurves } from '../../../src/panels/measures/points.ts'
-import { logScale, metresText, roughSize, sizeText } from '../../../src/chart/scale.ts'
+import { decadeText, roughSize, sizeText } from '../../../src/chart/magnitudes.ts'
+import { logScale } from '../../../src/chart/axis.ts'
 import { sweep, sweepMethods, sweepRates } from '../../../src/measure/index.ts'
 import { integrators } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
@@ -116,7 +116,7 @@ describe('the words', () => {
     [-9, '1\u2009nm'],
     [-10, '0.1\u2009nm'],
     [-11, '10\u2009pm'],
-  ])('10 to the power of %d metres', (exponent, text) => expect(metresText(exponent)).toBe(text))
+  ])('10 to the power of %d metres', (exponent, text) => expect(decadeText(exponent)).toBe(text))
 
   test.each([
     [0.2543, '0.25\u2009m', '0.254\u2009m'],

@@ -8,8 +8,8 @@ import { inFull, readingsAt, spoken } from '../../../src/panels/plots/readings.t
 import { nearestRow, tableOf } from '../../../src/panels/plots/table.ts'
 import { Simulation } from '../../../src/lab/state/simulation.ts'
 import type { Simulated } from '../../../src/lab/state/simulation.ts'
-import { changed } from '../../../src/lab/state/state.ts'
-import type { Change } from '../../../src/lab/state/state.ts'
+import { changed } from '../../../src/lab/state/change.ts'
+import type { Change } from '../../../src/lab/state/change.ts'
 import { rowAt } from '../../../src/view/timeline.ts'
 
 const kind = (id: string) => plotKinds.find((each) => each.id === id)!

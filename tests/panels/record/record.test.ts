@@ -2,12 +2,11 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { readAddress, writeAddress } from '../../../src/lab/state/address.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
-import { binsOf } from '../../../src/panels/record/bins.ts'
+import { binsOf } from '../../../src/panels/record/histogram.ts'
 import { readDurations, writeDurations } from '../../../src/lab/state/durationCode.ts'
-import { durationsOf } from '../../../src/lab/state/durations.ts'
+import { durationsOf, summarize } from '../../../src/lab/state/frameTimes.ts'
 import { record } from '../../../src/panels/record/recording.ts'
-import { summarize } from '../../../src/lab/state/summary.ts'
-import { changed } from '../../../src/lab/state/state.ts'
+import { changed } from '../../../src/lab/state/change.ts'
 
 /** Five seconds of a 60 Hz display that misses every hundredth refresh, as timestamps [ms]. */
 const refreshes = Array.from({ length: 300 }, (_, i) => i).filter((i) => i % 100 !== 50)

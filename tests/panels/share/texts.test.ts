@@ -1,17 +1,11 @@
 import { expect, test } from 'vitest'
 import { parseExperiment } from '../../../src/physics/index.ts'
-import { readAddress } from '../../../src/lab/state/address.ts'
+import { readAddress, linkTo } from '../../../src/lab/state/address.ts'
 import { experimentOf } from '../../../src/lab/state/check.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { presets } from '../../../src/lab/presets/index.ts'
-import {
-  elementCode,
-  fileName,
-  frameCode,
-  linkTo,
-  toJson,
-} from '../../../src/panels/share/texts.ts'
-import { changed } from '../../../src/lab/state/state.ts'
+import { elementCode, fileName, frameCode, toJson } from '../../../src/panels/share/texts.ts'
+import { changed } from '../../../src/lab/state/change.ts'
 
 const site = 'https://any.example/lab/index.html?from=here'
 const steep = changed(opening, { kind: 'parameters', values: { angle: 40, mass: 2 } })

@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest'
 import { simulate } from '../../../src/physics/index.ts'
 import type { Experiment, Timestep } from '../../../src/physics/index.ts'
-import { clockworkOf, noteOf, stepTimes, stripText } from '../../../src/panels/strip/stripLanes.ts'
+import { clockworkOf, stepTimes } from '../../../src/lab/state/clockwork.ts'
+import { noteOf, stripText } from '../../../src/panels/strip/stripWords.ts'
 import type { SimulatedRunner } from '../../../src/lab/state/simulation.ts'
 
 type FramesChoice = NonNullable<Experiment['frames']>

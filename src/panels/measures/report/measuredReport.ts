@@ -1,14 +1,12 @@
 import { html, LitElement, nothing } from 'lit'
 import type { Report } from '../../../report/schema.ts'
-import { aims } from './aims.ts'
-import { engineErrors } from './engineErrors.ts'
-import { engineTimes } from './engineTimes.ts'
+import { engineErrors, engineTimes } from './engines.ts'
 import { fetchReport } from './fetchReport.ts'
-import { machineLine } from './machineLine.ts'
 import { stepTimes } from './stepTimes.ts'
+import { plain } from '../../../chart/numbers.ts'
 
 /** What the report says that comes with the page, fetched when it is unfolded. */
-export class MeasuredReport extends LitElement {
+class MeasuredReport extends LitElement {
   static override properties = {
     report: { state: true },
     problem: { state: true },
@@ -65,3 +63,67 @@ export class MeasuredReport extends LitElement {
     }
   }
 }
+
+/** Where and when it was measured. */
+function machineLine({ machine }: Report) {
+  const { date, processor, cores, system, node, rounds, quick } = machine
+  const day = new Date(date).toLocaleDateString('en', {
+    year: 'numeric',
+    month: 'long',
+    day: 'numeric',
+    timeZone: 'UTC',
+  })
+  return html`<p class="soft">
+    Measured on ${day}: ${processor}, ${cores} cores, ${system}, Node ${node}; each time is the
+    median of ${rounds} interleaved
+    rounds.${quick ? ' A quick look with few and short rounds.' : ''}
+  </p>`
+}
+
+/** What the project asks of itself, met or not, and where the time goes of what took too long. */
+function aims({ targets, profiles }: Report) {
+  return html`<div class="scroll" tabindex="0" role="region" aria-label="Targets, table">
+      <table>
+        <caption>
+          What this project asks of itself
+        </caption>
+        <thead>
+          <tr>
+            <th scope="col">Target</th>
+            <th scope="col">Asked for</th>
+            <th scope="col">Measured</th>
+            <th scope="col">Result</th>
+            <th scope="col" class="prose">Where</th>
+          </tr>
+        </thead>
+        <tbody>
+          ${targets.map(
+            ({ label, sense, limit, figure, met, from }) =>
+              html`<tr>
+                <th scope="row">${label}</th>
+                <td>${sense} ${plain(limit)}</td>
+                <td>${plain(figure)}</td>
+                <td>${met ? 'met' : 'missed'}</td>
+                <td class="prose">${from}</td>
+              </tr>`,
+          )}
+        </tbody>
+      </table>
+    </div>
+    ${
+      profiles.length > 0
+        ? html`<p>Where the time goes of what missed the most:</p>
+            <ul>
+              ${profiles.map(
+                ({ what, functions }) =>
+                  html`<li>
+                    ${what}:
+                    ${functions.map(({ name, share }) => `${name} ${Math.round(100 * share)}\u2009%`).join(', ')}
+                  </li>`,
+              )}
+            </ul>`
+        : ''
+    }`
+}
+
+customElements.define('measured-report', MeasuredReport)
