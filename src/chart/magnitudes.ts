@@ -1,4 +1,4 @@
-import { metres, fixed, plain, ROUNDING, superscript } from './numbers.ts'
+import { fixed, metres, plain, ROUNDING, superscript } from './numbers.ts'
 
 /** Numbers over many powers of ten, as axes, tables and arithmetic write them. */
 

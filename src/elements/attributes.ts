@@ -1,9 +1,9 @@
 import { ExperimentError, parseExperiment, scenes, timesteps } from '../physics/index.ts'
 import type { Problem, ResolvedExperiment, SceneId } from '../physics/index.ts'
-import { experimentOf, MOST_RUNNERS } from '../lab/state/check.ts'
 import { readNumber } from '../chart/numbers.ts'
-import { opening, openingOf } from '../lab/state/opening.ts'
 import { choose } from '../lab/state/change.ts'
+import { experimentOf, MOST_RUNNERS } from '../lab/state/check.ts'
+import { opening, openingOf } from '../lab/state/opening.ts'
 import type { LabState } from '../lab/state/state.ts'
 
 /**

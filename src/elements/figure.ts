@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
-import type { Values } from '../figures/shared/control.ts'
 import { SlideFigure } from '../figures/element/slideFigure.ts'
+import type { Values } from '../figures/shared/control.ts'
 import { Shadow, themeProblem } from './shadow.ts'
 import { inUnits } from './styles.ts'
 

@@ -2,10 +2,10 @@ import { html, nothing } from 'lit'
 import type { PropertyDeclaration, PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Experiment, Problem } from '../physics/index.ts'
-import { stateAsked } from './attributes.ts'
 import { experimentOf } from '../lab/state/check.ts'
-import { SlideLab } from '../panels/slideLab.ts'
 import type { LabState } from '../lab/state/state.ts'
+import { SlideLab } from '../panels/slideLab.ts'
+import { stateAsked } from './attributes.ts'
 import { Shadow, themeProblem } from './shadow.ts'
 
 /** The properties that ask for something, by the names that `Asked` has for them. */

@@ -1,5 +1,5 @@
-import { spreadOf } from '../measure/index.ts'
 import type { Experiment, Trajectory } from '../physics/index.ts'
+import { spreadOf } from '../measure/index.ts'
 import { lengthText } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'

@@ -2,19 +2,19 @@ import { length, simulate } from '../physics/index.ts'
 import type { Experiment, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { degrees, fixed } from '../chart/numbers.ts'
-import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
+import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
-  STEEPEST,
   angleControl,
   arrowFor,
   drawTilted,
   forcesOn,
   muControl,
-  tiltGrip,
+  STEEPEST,
   tiltedSlope,
+  tiltGrip,
 } from './shared/tilted.ts'
 
 interface TiltValues {

@@ -1,7 +1,7 @@
 import { exactMotion } from '../physics/index.ts'
 import type { Experiment } from '../physics/index.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../chart/graph.ts'
-import { place, plain, seconds, roughMetres } from '../chart/numbers.ts'
+import { place, plain, roughMetres, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'

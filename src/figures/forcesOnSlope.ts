@@ -2,17 +2,17 @@ import { dot, length } from '../physics/index.ts'
 import type { Experiment, ForceVectors, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { fixed } from '../chart/numbers.ts'
-import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import { figure } from './shared/figure.ts'
 import type { Reading, Surface, View } from './shared/figure.ts'
+import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
   angleControl,
   arrowFor,
   drawTilted,
   forcesOn,
   muControl,
-  tiltGrip,
   tiltedSlope,
+  tiltGrip,
 } from './shared/tilted.ts'
 
 /** As the block moves when it is looked at [m/s]; downhill is plus. */

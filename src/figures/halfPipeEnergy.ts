@@ -1,6 +1,6 @@
-import { mechanicalEnergy } from '../measure/index.ts'
 import { integrators } from '../physics/index.ts'
 import type { Experiment, IntegratorId, Trajectory } from '../physics/index.ts'
+import { mechanicalEnergy } from '../measure/index.ts'
 import { clipTo, drawAxes, drawCurve, graphIn, line } from '../chart/graph.ts'
 import { plain, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'

@@ -1,7 +1,7 @@
 import { exact, exactMotion } from '../physics/index.ts'
 import type { Experiment, Timestep, Trajectory } from '../physics/index.ts'
 import { clipTo, dot, drawCurve, graphIn, line } from '../chart/graph.ts'
-import { fixed, seconds, roughMetres } from '../chart/numbers.ts'
+import { fixed, roughMetres, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'

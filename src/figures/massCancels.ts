@@ -3,12 +3,12 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { line } from '../chart/graph.ts'
 import { fixed, place } from '../chart/numbers.ts'
-import { drawBlock, drawNamedArrows, drawSlope } from './shared/slope.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
 import { longSlope } from './shared/longSlope.ts'
+import { drawBlock, drawNamedArrows, drawSlope } from './shared/slope.ts'
 import { angleControl, arrowFor, forcesOn, muControl } from './shared/tilted.ts'
 
 const DURATION = 1.5

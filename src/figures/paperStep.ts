@@ -1,13 +1,13 @@
 import { asPrinted, corrections, exactMotion, paperStep as step } from '../physics/index.ts'
-import type { Body, Corrections, Experiment, ExactMotion, Vector } from '../physics/index.ts'
+import type { Body, Corrections, ExactMotion, Experiment, Vector } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import type { Point } from '../chart/geometry.ts'
 import { clipTo, dot } from '../chart/graph.ts'
-import { drawBlock, drawSlope, slopeThrough } from './shared/slope.ts'
+import { roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
-import { roughMetres } from '../chart/numbers.ts'
+import { drawBlock, drawSlope, slopeThrough } from './shared/slope.ts'
 
 const DURATION = 3
 const parameters = { angle: 20, muStatic: 0.5, muKinetic: 0.5, speed: 3 } as const

@@ -1,5 +1,5 @@
-import { trajectoryErrors } from '../measure/index.ts'
 import type { Experiment, IntegratorId, Trajectory } from '../physics/index.ts'
+import { trajectoryErrors } from '../measure/index.ts'
 import { dot, drawCurve, graphIn, line } from '../chart/graph.ts'
 import { count, metres, roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'

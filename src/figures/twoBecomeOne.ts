@@ -2,17 +2,17 @@ import { dot as product, length } from '../physics/index.ts'
 import type { Experiment, Trajectory, Vector } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { fixed } from '../chart/numbers.ts'
-import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
+import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
   angleControl,
   arrowFor,
   drawTilted,
   forcesOn,
   muControl,
-  tiltGrip,
   tiltedSlope,
+  tiltGrip,
 } from './shared/tilted.ts'
 
 interface PartsValues {

@@ -2,12 +2,12 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { line } from '../chart/graph.ts'
 import { fixed, roughMetres } from '../chart/numbers.ts'
-import { drawBlock } from './shared/slope.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { Surface, View } from './shared/figure.ts'
 import { drawFlag, drawLongSlope, longSlope } from './shared/longSlope.ts'
+import { drawBlock } from './shared/slope.ts'
 
 /** How far up the slope one can bet [m], and how long all runs take [s]. */
 const FAR = 6

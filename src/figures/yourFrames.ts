@@ -1,12 +1,12 @@
-import { presentationErrors } from '../measure/index.ts'
 import type { Experiment, Timestep, Trajectory } from '../physics/index.ts'
+import { presentationErrors } from '../measure/index.ts'
 import { drawAxes, graphIn, line } from '../chart/graph.ts'
+import { roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { summarize, summaryText } from '../lab/state/frameTimes.ts'
 import { figure } from './shared/figure.ts'
 import type { Reading, Surface, View } from './shared/figure.ts'
 import { kick } from './shared/kick.ts'
-import { roughMetres } from '../chart/numbers.ts'
 
 const DURATION = 1
 

@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
-import { History } from './state/history.ts'
 import type { Preset } from './presets/preset.ts'
+import { History } from './state/history.ts'
 import type { LabState } from './state/state.ts'
 
 /** What a lab showed, and the preset that it had come from. */

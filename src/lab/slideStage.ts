@@ -1,11 +1,11 @@
 import { html, LitElement, nothing } from 'lit'
 import type { NumberOption } from '../physics/index.ts'
+import { shownNumber } from '../chart/numbers.ts'
 import type { Handle, HandleId, Picture } from '../view/picture.ts'
 import { Stage } from '../view/stage.ts'
-import { shownNumber } from '../chart/numbers.ts'
-import type { Playback } from './playback/playback.ts'
 import { pointIn, valueByKey } from '../ui/input.ts'
 import { onThemeChange } from '../ui/theme.ts'
+import type { Playback } from './playback/playback.ts'
 
 const purposes: Readonly<Record<HandleId, string>> = {
   tilt: 'Tilt the track',

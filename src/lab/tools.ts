@@ -1,7 +1,7 @@
 import { html } from 'lit'
+import { live } from 'lit/directives/live.js'
 import { icon } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
-import { live } from 'lit/directives/live.js'
 import type { Preset } from './presets/preset.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */

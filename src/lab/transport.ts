@@ -1,10 +1,10 @@
 import { html, noChange } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { fixed } from '../chart/numbers.ts'
-import { atNow } from './playback/atNow.ts'
 import { icon } from '../ui/icons.ts'
 import type { IconName } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
+import { atNow } from './playback/atNow.ts'
 
 const speeds = [
   [1, '1×'],

@@ -1,8 +1,8 @@
-import { place, seconds, lengthText, fixed, metres, raw } from '../chart/numbers.ts'
+import type { Trajectory } from '../physics/index.ts'
+import { fixed, lengthText, metres, place, raw, seconds } from '../chart/numbers.ts'
 import { rowAt } from '../view/timeline.ts'
 import { errorAt } from './state/simulation.ts'
 import type { Simulated, SimulatedRunner } from './state/simulation.ts'
-import type { Trajectory } from '../physics/index.ts'
 
 /**
  * How far a run is from the exact block in one of its rows, signed as in the picture: minus is to the left of the exact

@@ -1,8 +1,8 @@
 import { copyButton, reachable } from './page/code.ts'
 import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
-import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
 import { followLinks, shine } from './page/figures.ts'
+import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
 import { tabs } from './page/tabs.ts'
 
 /* The text is there without any of this. */

@@ -2,9 +2,9 @@ import { html, LitElement, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { live } from 'lit/directives/live.js'
 import type { NumberOption } from '../physics/index.ts'
+import { readNumber, shownNumber, writeNumber } from '../chart/numbers.ts'
 import { freshId } from './freshId.ts'
 import { icon } from './icons.ts'
-import { readNumber, shownNumber, writeNumber } from '../chart/numbers.ts'
 import { typeset } from './typeset.ts'
 
 /** What a control needs to know of the number that it sets. */

@@ -1,6 +1,6 @@
+import { clamp } from '../chart/geometry.ts'
 import type { Body } from './body.ts'
 import { exactExtent } from './extent.ts'
-import { clamp } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Picture, PictureRunner } from './picture.ts'
 import type { Projection } from './projection.ts'

@@ -1,14 +1,14 @@
 import { clamp } from '../chart/geometry.ts'
 import type { Box, Point } from '../chart/geometry.ts'
-import type { Layout } from './layout.ts'
 import { degrees } from '../chart/numbers.ts'
+import { widthOf, write } from '../chart/text.ts'
+import { drawnEnds } from './ground.ts'
+import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
-import { drawnEnds } from './ground.ts'
 import type { Projection } from './projection.ts'
-import { bendEnd } from './subjects.ts'
 import { slackBox } from './spring.ts'
-import { widthOf, write } from '../chart/text.ts'
+import { bendEnd } from './subjects.ts'
 
 /** The slope's angle at its foot: a dashed horizontal, an arc and the value. Answers with the room of the words there. */
 export function drawAngle(

@@ -1,5 +1,5 @@
-import { drawAngle } from './angleArc.ts'
 import type { Box } from '../chart/geometry.ts'
+import { drawAngle } from './angleArc.ts'
 import { drawGround } from './ground.ts'
 import type { Palette } from './palette.ts'
 import { drawPost, drawScaleBar } from './rulers.ts'

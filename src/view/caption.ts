@@ -1,14 +1,14 @@
-import type { Actor } from './actors.ts'
-import { top, centre } from './body.ts'
 import { clamp } from '../chart/geometry.ts'
+import type { Box } from '../chart/geometry.ts'
+import { place, seconds } from '../chart/numbers.ts'
+import { widthOf, write } from '../chart/text.ts'
+import type { Actor } from './actors.ts'
+import { centre, top } from './body.ts'
 import type { Placed } from './labels.ts'
 import type { Layout } from './layout.ts'
-import { place, seconds } from '../chart/numbers.ts'
-import type { Picture } from './picture.ts'
-import { widthOf, write } from '../chart/text.ts'
-import type { Box } from '../chart/geometry.ts'
 import { markOf } from './marks.ts'
 import type { Palette } from './palette.ts'
+import type { Picture } from './picture.ts'
 
 /** More labels than this say only whose they are. */
 const WORDY = 4

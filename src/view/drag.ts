@@ -1,13 +1,13 @@
-import { heldCamera } from './layout.ts'
-import type { Layout } from './layout.ts'
-import { centre } from './body.ts'
-import { bodyAt } from './actors.ts'
 import { clamp } from '../chart/geometry.ts'
 import type { Point } from '../chart/geometry.ts'
+import { roundAbove, toStep } from '../chart/ticks.ts'
+import { bodyAt } from './actors.ts'
+import { centre } from './body.ts'
 import { changed, handleAt } from './handles.ts'
+import { heldCamera } from './layout.ts'
+import type { Layout } from './layout.ts'
 import type { HandleId, Picture } from './picture.ts'
 import { Projection } from './projection.ts'
-import { roundAbove, toStep } from '../chart/ticks.ts'
 import { ARROW_START } from './sizes.ts'
 
 /** The finest tilt [°]. */

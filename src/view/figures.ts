@@ -1,12 +1,12 @@
 import { around, clamp, moved } from '../chart/geometry.ts'
 import type { Box, Point } from '../chart/geometry.ts'
+import { degrees, place, speed } from '../chart/numbers.ts'
+import { widthOf, write } from '../chart/text.ts'
 import { handleAt } from './handles.ts'
 import type { Layout } from './layout.ts'
-import { degrees, place, speed } from '../chart/numbers.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection, Spot } from './projection.ts'
-import { widthOf, write } from '../chart/text.ts'
 
 /** A figure next to a handle. */
 export interface Figure {

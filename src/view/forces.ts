@@ -1,13 +1,13 @@
-import type { Actor } from './actors.ts'
-import { centre } from './body.ts'
-import type { Body } from './body.ts'
 import { around, moved, overlap } from '../chart/geometry.ts'
 import type { Box, Point } from '../chart/geometry.ts'
-import type { Layout } from './layout.ts'
-import type { ArrowId, Picture, PictureVector } from './picture.ts'
-import { drawArrow } from './arrows.ts'
-import type { Palette } from './palette.ts'
 import { write } from '../chart/text.ts'
+import type { Actor } from './actors.ts'
+import { drawArrow } from './arrows.ts'
+import { centre } from './body.ts'
+import type { Body } from './body.ts'
+import type { Layout } from './layout.ts'
+import type { Palette } from './palette.ts'
+import type { ArrowId, Picture, PictureVector } from './picture.ts'
 
 /** An arrow as it is drawn, in CSS pixels. */
 export interface ForceArrow {

@@ -1,10 +1,10 @@
 import type { Parameters } from '../physics/index.ts'
 import type { Point } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
+import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
 import { bendEnd } from './subjects.ts'
-import type { Palette } from './palette.ts'
 
 /** The ends of the track as drawn: beyond them it is level. A run that outgrows a held view takes them along. */
 export function drawnEnds({ ends, extent, camera, block }: Layout): { from: number; to: number } {

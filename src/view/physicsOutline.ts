@@ -1,13 +1,13 @@
+import { clamp, moved } from '../chart/geometry.ts'
+import { widthOf, write } from '../chart/text.ts'
 import { bodyAt } from './actors.ts'
 import type { Actor } from './actors.ts'
 import { strokeBody } from './body.ts'
 import type { Body } from './body.ts'
-import { clamp, moved } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
-import { widthOf, write } from '../chart/text.ts'
 
 /** A block as it is drawn, and the one that physics knows: a step ahead of it, or behind it. */
 interface Apart {

@@ -1,10 +1,10 @@
 import { fixed, metres } from '../chart/numbers.ts'
+import { widthOf, write } from '../chart/text.ts'
+import { decimalsOf, roundAbove, roundBelow } from '../chart/ticks.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
-import { decimalsOf, roundAbove, roundBelow } from '../chart/ticks.ts'
-import { write, widthOf } from '../chart/text.ts'
 
 /** What a fall has instead of a track: a post beside it with a scale of metres, which counts from the start. */
 export function drawPost(

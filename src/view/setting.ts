@@ -1,8 +1,8 @@
 import { figuresOf } from './figures.ts'
 import type { Figure } from './figures.ts'
+import { outline } from './ground.ts'
 import { handlesOf } from './handles.ts'
 import type { Layout } from './layout.ts'
-import { outline } from './ground.ts'
 import type { Handle, Picture } from './picture.ts'
 import { Projection } from './projection.ts'
 

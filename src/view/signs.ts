@@ -1,6 +1,6 @@
+import { moved } from '../chart/geometry.ts'
 import type { Actor } from './actors.ts'
 import { centre, fillBody } from './body.ts'
-import { moved } from '../chart/geometry.ts'
 import type { Palette } from './palette.ts'
 
 /** A runner's block; where its run has gone wrong it fades under a sign of it. */

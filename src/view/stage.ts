@@ -1,3 +1,4 @@
+import { forgetWidths } from '../chart/text.ts'
 import { Backdrop } from './backdrop.ts'
 import { dragged } from './drag.ts'
 import { held, layOut } from './layout.ts'
@@ -8,7 +9,6 @@ import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
-import { forgetWidths } from '../chart/text.ts'
 import { endOf, rowAt } from './timeline.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */

@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { plain } from '../../chart/numbers.ts'
+import { typeset } from '../../ui/typeset.ts'
 import type {
   ChoiceControl,
   Control,
@@ -9,7 +10,6 @@ import type {
   Value,
   Values,
 } from '../shared/control.ts'
-import { typeset } from '../../ui/typeset.ts'
 import type { Figure } from '../shared/figure.ts'
 
 /** What controls are made from. */

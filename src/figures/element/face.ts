@@ -1,13 +1,13 @@
 import { html, nothing } from 'lit'
+import { live } from 'lit/directives/live.js'
 import type { Trajectory } from '../../physics/index.ts'
-import { raw, fixed } from '../../chart/numbers.ts'
+import { fixed, raw } from '../../chart/numbers.ts'
+import { icon } from '../../ui/icons.ts'
 import { atNow, movedAtNow } from '../../lab/playback/atNow.ts'
+import type { Playback } from '../../lab/playback/playback.ts'
 import type { Values } from '../shared/control.ts'
 import type { Figure, View } from '../shared/figure.ts'
-import type { Playback } from '../../lab/playback/playback.ts'
 import { controlsOf } from './controls.ts'
-import { live } from 'lit/directives/live.js'
-import { icon } from '../../ui/icons.ts'
 
 /** What a live figure is made from. */
 export interface Face {

@@ -1,12 +1,12 @@
 import { html, LitElement } from 'lit'
+import { forgetWidths } from '../../chart/text.ts'
 import { drawDisc } from '../../view/handles.ts'
 import { PaletteReader } from '../../view/palette.ts'
-import { forgetWidths } from '../../chart/text.ts'
-import type { Controls, NumberControl, Values } from '../shared/control.ts'
-import type { Grip, Panel, View } from '../shared/figure.ts'
-import type { Playback } from '../../lab/playback/playback.ts'
 import { pointIn, valueByKey } from '../../ui/input.ts'
 import { onThemeChange } from '../../ui/theme.ts'
+import type { Playback } from '../../lab/playback/playback.ts'
+import type { Controls, NumberControl, Values } from '../shared/control.ts'
+import type { Grip, Panel, View } from '../shared/figure.ts'
 import { quantityText } from './controls.ts'
 
 /**

@@ -1,10 +1,10 @@
 import { moved } from '../../chart/geometry.ts'
 import type { Point } from '../../chart/geometry.ts'
 import { line } from '../../chart/graph.ts'
-import { drawSlope, slopeThrough } from './slope.ts'
-import type { Slope } from './slope.ts'
 import { write } from '../../chart/text.ts'
 import type { Surface } from './figure.ts'
+import { drawSlope, slopeThrough } from './slope.ts'
+import type { Slope } from './slope.ts'
 
 /** A slope to scale, from edge to edge, on which a block goes up to so many metres away from a mark near its foot. */
 export interface LongSlope {

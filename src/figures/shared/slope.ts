@@ -1,11 +1,11 @@
-import { drawArrow } from '../../view/arrows.ts'
-import type { Point } from '../../chart/geometry.ts'
 import { moved } from '../../chart/geometry.ts'
+import type { Point } from '../../chart/geometry.ts'
 import { line } from '../../chart/graph.ts'
 import { degrees } from '../../chart/numbers.ts'
+import { write } from '../../chart/text.ts'
+import { drawArrow } from '../../view/arrows.ts'
 import type { Palette } from '../../view/palette.ts'
 import type { ArrowId } from '../../view/picture.ts'
-import { write } from '../../chart/text.ts'
 
 /** A slope through a point of the canvas about which it is turned; uphill is to the right. */
 export interface Slope {

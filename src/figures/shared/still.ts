@@ -1,8 +1,8 @@
 import { simulate } from '../../physics/index.ts'
 import type { Palette } from '../../view/palette.ts'
 import { initialValues } from './control.ts'
-import type { Figure, View } from './figure.ts'
 import { WIDE } from './figure.ts'
+import type { Figure, View } from './figure.ts'
 
 /** What a figure shows when it opens. */
 export function openingView(figure: Figure): View {

@@ -2,10 +2,10 @@ import { forcesAt, parseExperiment } from '../../physics/index.ts'
 import type { Experiment, ForceVectors, State, Vector } from '../../physics/index.ts'
 import { moved } from '../../chart/geometry.ts'
 import type { Point } from '../../chart/geometry.ts'
+import type { NumberControl } from './control.ts'
+import type { Grip, Surface } from './figure.ts'
 import { angleTowards, drawSlope, drawSlopeAngle, slopeThrough } from './slope.ts'
 import type { NamedArrow, Slope } from './slope.ts'
-import type { Grip, Surface } from './figure.ts'
-import type { NumberControl } from './control.ts'
 
 /** What the figures have in common whose slope is tilted by hand, under a large block in the middle of the picture. */
 

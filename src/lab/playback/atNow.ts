@@ -1,5 +1,5 @@
-import { AsyncDirective, directive } from 'lit/async-directive.js'
 import type { AttributePart, ChildPart, PropertyPart } from 'lit'
+import { AsyncDirective, directive } from 'lit/async-directive.js'
 import type { Deed } from './onlookers.ts'
 import type { Playback } from './playback.ts'
 

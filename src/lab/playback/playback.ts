@@ -1,9 +1,9 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
 import { rowAt } from '../../view/timeline.ts'
+import { onSight } from '../../ui/sight.ts'
 import { Onlookers } from './onlookers.ts'
 import type { Deed } from './onlookers.ts'
-import { onSight } from '../../ui/sight.ts'
 
 /** What playback moves through. */
 interface Recording extends ReactiveControllerHost, HTMLElement {

@@ -1,12 +1,12 @@
+import { frameClocks, parseExperiment, scenes } from '../../physics/index.ts'
+import type { Experiment, ResolvedExperiment, Scene } from '../../physics/index.ts'
 import { hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
-import { scenes, frameClocks, parseExperiment } from '../../physics/index.ts'
-import type { Experiment, Scene, ResolvedExperiment } from '../../physics/index.ts'
 import { count, plain } from '../../chart/numbers.ts'
-import { preset } from './preset.ts'
-import type { Preset } from './preset.ts'
 import { checked } from '../state/check.ts'
 import type { LabState } from '../state/state.ts'
+import { preset } from './preset.ts'
+import type { Preset } from './preset.ts'
 
 /** What the numbers of the hard cases' groups are called in the menu. */
 export const groups: readonly (readonly [string, readonly number[]])[] = [

@@ -1,10 +1,10 @@
-import { figurePresets } from './figures.ts'
-import { hardPresets } from './hardCases.ts'
-import type { Preset } from './preset.ts'
+import { changed } from '../state/change.ts'
 import type { ModeId } from '../state/modes.ts'
 import { opening } from '../state/opening.ts'
-import { changed } from '../state/change.ts'
+import { figurePresets } from './figures.ts'
+import { hardPresets } from './hardCases.ts'
 import { preset } from './preset.ts'
+import type { Preset } from './preset.ts'
 
 const kick = (label: string, mode: ModeId, watch: string): Preset =>
   preset('A kick up a ramp', label, watch, () =>

@@ -1,10 +1,10 @@
 import { ExperimentError, scenes } from '../../physics/index.ts'
 import type { Problem, SceneId } from '../../physics/index.ts'
-import { checked } from './check.ts'
-import type { LabState } from './state.ts'
-import { opening, openingOf } from './opening.ts'
 import { readNumber, writeNumber } from '../../chart/numbers.ts'
+import { checked } from './check.ts'
+import { opening, openingOf } from './opening.ts'
 import { readRunners, writeRunners } from './runnerText.ts'
+import type { LabState } from './state.ts'
 
 /**
  * A lab state as the part of an address after `#`, and back. Only what differs from the opening is written:

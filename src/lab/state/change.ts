@@ -1,5 +1,5 @@
 import { frameClocks, timesteps } from '../../physics/index.ts'
-import type { Options, Parameters, SceneId, ExperimentError, Scene } from '../../physics/index.ts'
+import type { ExperimentError, Options, Parameters, Scene, SceneId } from '../../physics/index.ts'
 import { checked, MOST_RUNNERS } from './check.ts'
 import { modes } from './modes.ts'
 import type { ModeId } from './modes.ts'

@@ -1,10 +1,10 @@
 import { defaults, frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Option, Options, Problem } from '../../physics/index.ts'
+import { readNumber, writeNumber } from '../../chart/numbers.ts'
 import { MOST_RUNNERS } from './check.ts'
 import type { DraftRunner } from './check.ts'
-import type { RunnerState } from './state.ts'
-import { readNumber, writeNumber } from '../../chart/numbers.ts'
 import { readDurations, writeDurations } from './durationCode.ts'
+import type { RunnerState } from './state.ts'
 
 /*
  * Runners as text: one after the other with `;` between, each a row of words with `/` between:

@@ -1,13 +1,13 @@
 import { html, nothing } from 'lit'
-import type { Vector, ResolvedExperiment } from '../../physics/index.ts'
-import { raw, fixed, plain } from '../../chart/numbers.ts'
-import { dot, length } from '../../physics/index.ts'
-import { atNow } from '../../lab/playback/atNow.ts'
-import type { Forces, Looked } from './forcesPicture.ts'
-import { lookedAt, arrowNames, pictureForces } from './forcesPicture.ts'
-import type { LabView } from '../../lab/labView.ts'
 import type { ReactiveControllerHost } from 'lit'
+import { dot, length } from '../../physics/index.ts'
+import type { ResolvedExperiment, Vector } from '../../physics/index.ts'
+import { fixed, plain, raw } from '../../chart/numbers.ts'
 import type { PictureForces } from '../../view/picture.ts'
+import type { LabView } from '../../lab/labView.ts'
+import { atNow } from '../../lab/playback/atNow.ts'
+import { arrowNames, lookedAt, pictureForces } from './forcesPicture.ts'
+import type { Forces, Looked } from './forcesPicture.ts'
 
 /** Whether a lab shows forces: not at first. It is remembered as long as the page is. */
 export class ForcesSwitch {

@@ -1,9 +1,9 @@
-import type { ArrowId, PictureForces, PictureVector } from '../../view/picture.ts'
-import { rowAt, endOf } from '../../view/timeline.ts'
-import type { LabView } from '../../lab/labView.ts'
-import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { exactMotion, forcesAt, length } from '../../physics/index.ts'
 import type { ForceVectors, State, Trajectory, Vector } from '../../physics/index.ts'
+import type { ArrowId, PictureForces, PictureVector } from '../../view/picture.ts'
+import { endOf, rowAt } from '../../view/timeline.ts'
+import type { LabView } from '../../lab/labView.ts'
+import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 
 /** The forces on a runner's block in one row of its run. */
 export interface Forces {

@@ -9,9 +9,9 @@ import type {
   TriedStep,
 } from '../../physics/index.ts'
 import { raw } from '../../chart/numbers.ts'
-import { wordsAfter, wordsBefore } from './stepWords.ts'
-import { say, saidHtml } from './said.ts'
+import { saidHtml, say } from './said.ts'
 import type { Said } from './said.ts'
+import { wordsAfter, wordsBefore } from './stepWords.ts'
 import { written } from './written.ts'
 import type { WrittenLine } from './written.ts'
 

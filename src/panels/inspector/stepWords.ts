@@ -1,9 +1,9 @@
 import type {
   PolicyStep,
-  Trajectory,
   ResolvedExperiment,
   Standing,
   Stretch,
+  Trajectory,
 } from '../../physics/index.ts'
 import { count, say } from './said.ts'
 import type { Said } from './said.ts'

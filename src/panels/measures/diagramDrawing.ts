@@ -1,8 +1,8 @@
 import { html, nothing, svg } from 'lit'
-import type { CostKind } from './points.ts'
-import type { DiagramLayout, Drawn, Spot } from './diagramLayout.ts'
 import { decadeText } from '../../chart/magnitudes.ts'
 import { round, svgMark } from '../../ui/runnerMark.ts'
+import type { DiagramLayout, Drawn, Spot } from './diagramLayout.ts'
+import type { CostKind } from './points.ts'
 
 /** Drawn stronger, and named: metres, millimetres, micrometres … */
 const isUnit = (exponent: number) => exponent % 3 === 0

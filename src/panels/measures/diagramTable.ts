@@ -1,7 +1,7 @@
 import { html } from 'lit'
 import { plain, raw } from '../../chart/numbers.ts'
-import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 import { errorText } from './diagramWords.ts'
+import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 
 /** The diagram in figures: a row for each rate and each runner of the lab, the error and the cost of each method. */
 export function diagramTable(

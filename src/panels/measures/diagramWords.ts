@@ -1,5 +1,5 @@
-import { cheapest, ROUNDING } from '../../measure/index.ts'
 import { integrators } from '../../physics/index.ts'
+import { cheapest, ROUNDING } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
 import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'

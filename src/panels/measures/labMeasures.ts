@@ -1,6 +1,6 @@
 import { html, LitElement, nothing } from 'lit'
-import type { LabView } from '../../lab/labView.ts'
 import { onNear } from '../../ui/sight.ts'
+import type { LabView } from '../../lab/labView.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 
 /**

@@ -1,5 +1,5 @@
-import { evaluationsPerSecond, presentationErrorSizes, sweepRates } from '../../measure/index.ts'
 import type { ResolvedExperiment, Trajectory } from '../../physics/index.ts'
+import { evaluationsPerSecond, presentationErrorSizes, sweepRates } from '../../measure/index.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
 

@@ -1,10 +1,10 @@
 import { html, nothing } from 'lit'
 import { REFERENCE_RATE, ROUNDING } from '../../measure/index.ts'
+import { clamp } from '../../chart/geometry.ts'
+import { decadeText } from '../../chart/magnitudes.ts'
+import type { Rgb } from '../../view/palette.ts'
 import { HIGHEST } from './mapCells.ts'
 import type { MapCells } from './mapCells.ts'
-import { decadeText } from '../../chart/magnitudes.ts'
-import { clamp } from '../../chart/geometry.ts'
-import type { Rgb } from '../../view/palette.ts'
 
 /** Viridis (Smith and van der Walt, 2015): even to the eye, and to eyes that see fewer colours. */
 const stops: readonly Rgb[] = [

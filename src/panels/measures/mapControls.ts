@@ -3,13 +3,13 @@ import { integrators, stoppings, timesteps } from '../../physics/index.ts'
 import { REFERENCE_RATE } from '../../measure/index.ts'
 import type { MethodChoice } from '../../measure/index.ts'
 import { menu } from '../../ui/menu.ts'
+import { segments } from '../../ui/segments.ts'
 import { choose } from '../../lab/state/change.ts'
 import type { RunnerState } from '../../lab/state/state.ts'
 import { parametersOf } from './mapWish.ts'
 import type { MapWish } from './mapWish.ts'
-import type { Measuring } from './measuring.ts'
 import { progress } from './measuring.ts'
-import { segments } from '../../ui/segments.ts'
+import type { Measuring } from './measuring.ts'
 
 const shown = [
   { id: 'error', label: 'Error' },

@@ -1,10 +1,10 @@
 import { html, nothing, svg } from 'lit'
 import { mappedExperiment, stableRate } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
-import { plain } from '../../chart/numbers.ts'
 import { drawnBetween, logScale, roundTicks } from '../../chart/axis.ts'
-import { mappedOption } from './mapWords.ts'
+import { plain } from '../../chart/numbers.ts'
 import { round, svgMark } from '../../ui/runnerMark.ts'
+import { mappedOption } from './mapWords.ts'
 
 /** Where a map's image lies in its picture [px]. */
 export interface MapFrame {

@@ -1,11 +1,11 @@
+import type { LitElement } from 'lit'
 import { ROUNDING } from '../../measure/index.ts'
 import type { CellKind } from '../../measure/index.ts'
+import { PaletteReader } from '../../view/palette.ts'
 import type { Palette, Rgb } from '../../view/palette.ts'
+import { onThemeChange } from '../../ui/theme.ts'
 import type { MapCells } from './mapCells.ts'
 import { rampColour } from './mapColours.ts'
-import type { LitElement } from 'lit'
-import { PaletteReader } from '../../view/palette.ts'
-import { onThemeChange } from '../../ui/theme.ts'
 
 /** An element with a map in its canvas. */
 interface Host extends LitElement {

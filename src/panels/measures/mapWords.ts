@@ -1,3 +1,4 @@
+import type { NumberOption } from '../../physics/index.ts'
 import {
   mappedExperiment,
   rateAt,
@@ -7,7 +8,6 @@ import {
   valueAt,
 } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
-import type { NumberOption } from '../../physics/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
 import type { Cell, MapCells } from './mapCells.ts'

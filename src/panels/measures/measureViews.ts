@@ -5,9 +5,9 @@ import type { LabView } from '../../lab/labView.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { loadInto, loadMethod } from './loading.ts'
 import type { Measured } from './loading.ts'
-import './speedDiagram.ts'
 import './rateMapView.ts'
 import './report/measuredReport.ts'
+import './speedDiagram.ts'
 import './spreadView.ts'
 
 const views = [

@@ -1,8 +1,8 @@
+import { html, nothing } from 'lit'
 import type { LitElement, ReactiveController } from 'lit'
 import { onSight } from '../../ui/sight.ts'
 import { Measurer } from './measurer.ts'
 import type { Part, Task } from './task.ts'
-import { html, nothing } from 'lit'
 
 /** While a control is being dragged, nothing is begun [ms]. */
 const PAUSE = 120

@@ -1,5 +1,5 @@
 import { html } from 'lit'
-import type { ReactiveControllerHost, TemplateResult, LitElement } from 'lit'
+import type { LitElement, ReactiveControllerHost, TemplateResult } from 'lit'
 import { pointIn } from '../../ui/input.ts'
 
 /** Where a key goes in a picture: so many steps to the right, and so many up. */

@@ -1,8 +1,8 @@
-import { counts, isExact, orderOfCurve, outcomeKinds } from '../../measure/index.ts'
-import type { SweepCurve } from '../../measure/index.ts'
 import { integrators } from '../../physics/index.ts'
 import type { Integrator, IntegratorId, Outcome } from '../../physics/index.ts'
-import { fixed, count, plain, seconds } from '../../chart/numbers.ts'
+import { counts, isExact, orderOfCurve, outcomeKinds } from '../../measure/index.ts'
+import type { SweepCurve } from '../../measure/index.ts'
+import { count, fixed, plain, seconds } from '../../chart/numbers.ts'
 
 /** What a simulated second costs. */
 export interface CostKind {

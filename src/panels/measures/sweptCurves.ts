@@ -1,8 +1,8 @@
+import type { Experiment, StoppingId } from '../../physics/index.ts'
 import { sweepMethods, sweepRates } from '../../measure/index.ts'
 import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
-import type { Experiment, StoppingId } from '../../physics/index.ts'
-import type { CostKind, DiagramCurve } from './points.ts'
 import { diagramCurves } from './points.ts'
+import type { CostKind, DiagramCurve } from './points.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 import type { Task } from './task.ts'
 

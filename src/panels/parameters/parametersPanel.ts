@@ -1,10 +1,10 @@
 import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import { limits } from '../../physics/index.ts'
-import type { LabView } from '../../lab/labView.ts'
-import { openingOf } from '../../lab/state/opening.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
 import '../../ui/quantityControl.ts'
+import type { LabView } from '../../lab/labView.ts'
+import { openingOf } from '../../lab/state/opening.ts'
 
 const durationQuantity: Quantity = {
   label: 'Duration',

@@ -1,12 +1,12 @@
 import { clamp } from '../../chart/geometry.ts'
-import type { Point, Box } from '../../chart/geometry.ts'
-import type { Palette } from '../../view/palette.ts'
+import type { Box, Point } from '../../chart/geometry.ts'
 import { drawAxes, graphIn } from '../../chart/graph.ts'
 import type { AxisSizes, Graph } from '../../chart/graph.ts'
-import { EXACT } from './curves.ts'
-import type { Curve, Drawing } from './curves.ts'
 import { cleared } from '../../chart/pen.ts'
 import { markPath } from '../../view/marks.ts'
+import type { Palette } from '../../view/palette.ts'
+import { EXACT } from './curves.ts'
+import type { Curve, Drawing } from './curves.ts'
 
 /** The part of a chart of that size in which there are curves; the labels of the axes are to its left and below it [px]. */
 export function boxOf(width: number, height: number): Box {

@@ -1,12 +1,12 @@
 import type { Box, Point } from '../../chart/geometry.ts'
-import { markOf } from '../../view/marks.ts'
-import type { Palette } from '../../view/palette.ts'
 import { graphIn } from '../../chart/graph.ts'
 import type { Graph } from '../../chart/graph.ts'
+import { cleared } from '../../chart/pen.ts'
+import { markOf } from '../../view/marks.ts'
+import type { Palette } from '../../view/palette.ts'
 import { boxOf, clip } from './chart.ts'
 import { EXACT } from './curves.ts'
 import type { Drawing } from './curves.ts'
-import { cleared } from '../../chart/pen.ts'
 import type { Reading } from './readings.ts'
 
 /** What a plot's cursor points at. */

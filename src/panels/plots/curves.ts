@@ -1,10 +1,10 @@
+import type { Axis } from '../../chart/axis.ts'
 import { samplesOf } from '../../view/samples.ts'
 import type { Samples } from '../../view/samples.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
-import { axisOf, timeAxis } from './range.ts'
-import type { Axis } from '../../chart/axis.ts'
 import type { PlotKind } from './kinds.ts'
 import type { Quantity } from './quantity.ts'
+import { axisOf, timeAxis } from './range.ts'
 import { thinColumns, thinPath } from './thin.ts'
 
 /** The place in the list of curves that is the true motion's: after those of the eight looks. */

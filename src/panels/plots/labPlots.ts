@@ -1,11 +1,11 @@
 import { html, LitElement } from 'lit'
 import { fixed } from '../../chart/numbers.ts'
 import { segments } from '../../ui/segments.ts'
-import type { Simulated } from '../../lab/state/simulation.ts'
+import '../../ui/runnerMark.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
+import type { Simulated } from '../../lab/state/simulation.ts'
 import { plotKinds } from './kinds.ts'
 import './labPlot.ts'
-import '../../ui/runnerMark.ts'
 
 /**
  * All plots of a lab: side by side where there is room, one at a time on a phone. They share one cursor with each other

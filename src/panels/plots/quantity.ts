@@ -1,5 +1,5 @@
-import { energyResidual, presentationErrors } from '../../measure/index.ts'
 import type { State, Trajectory } from '../../physics/index.ts'
+import { energyResidual, presentationErrors } from '../../measure/index.ts'
 import { residualText } from '../../chart/magnitudes.ts'
 import { fixed, place, plain } from '../../chart/numbers.ts'
 

@@ -1,8 +1,8 @@
-import { samplesOf } from '../../view/samples.ts'
-import type { Simulated } from '../../lab/state/simulation.ts'
 import { errorAxis, linearAxis } from '../../chart/axis.ts'
 import type { Axis } from '../../chart/axis.ts'
 import { ROUNDING } from '../../chart/numbers.ts'
+import { samplesOf } from '../../view/samples.ts'
+import type { Simulated } from '../../lab/state/simulation.ts'
 import type { Quantity } from './quantity.ts'
 
 /** Errors above this are no longer a matter of more or less [m]. */

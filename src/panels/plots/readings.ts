@@ -1,10 +1,10 @@
+import { html, nothing } from 'lit'
 import { raw, seconds } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
+import '../../ui/runnerMark.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { EXACT } from './curves.ts'
 import type { PlotKind } from './kinds.ts'
-import { html, nothing } from 'lit'
-import '../../ui/runnerMark.ts'
 
 /** What a runner, or the exact block, shows in a plot at a time. */
 export interface Reading {

@@ -1,10 +1,10 @@
+import { html } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
 import { fixed, plain, raw, ROUNDING } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind } from './kinds.ts'
 import type { Quantity } from './quantity.ts'
-import { html } from 'lit'
 
 /** A plot in figures. */
 export interface PlotTable {

@@ -1,9 +1,9 @@
 import { html, LitElement, nothing } from 'lit'
 import { fixed, plain } from '../../chart/numbers.ts'
-import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { binsOf, histogram } from './histogram.ts'
+import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import { durationsOf, summarize, summaryText } from '../../lab/state/frameTimes.ts'
+import { binsOf, histogram } from './histogram.ts'
 import { animationFrames, record } from './recording.ts'
 import type { FrameSource } from './recording.ts'
 

@@ -2,8 +2,8 @@ import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../../physics/index.ts'
 import { readNumber, writeNumber } from '../../chart/numbers.ts'
-import { summaryText } from '../../lab/state/frameTimes.ts'
 import '../../ui/quantityControl.ts'
+import { summaryText } from '../../lab/state/frameTimes.ts'
 
 interface OptionFields {
   /** Whose options they are. */

@@ -2,8 +2,8 @@ import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Described } from '../../physics/index.ts'
-import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { LabView } from '../../lab/labView.ts'
+import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import './runnerRow.ts'
 
 const headings = [

@@ -1,6 +1,6 @@
-import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { errorAt } from '../../lab/state/simulation.ts'
 import type { ExactMotion } from '../../physics/index.ts'
+import { errorAt } from '../../lab/state/simulation.ts'
+import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 
 /**
  * The trajectories of some runners as comma-separated values: a header with units, then a row for every frame of each

@@ -1,9 +1,9 @@
 import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/freshId.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { toCsv } from './csv.ts'
-import { linkTo } from '../../lab/state/address.ts'
 import { isPublic, site } from '../../lab/site.ts'
+import { linkTo } from '../../lab/state/address.ts'
+import { toCsv } from './csv.ts'
 import { elementCode, fileName, frameCode, toJson } from './texts.ts'
 
 /**

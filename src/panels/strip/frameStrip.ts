@@ -1,17 +1,17 @@
 import { html, LitElement, noChange, nothing } from 'lit'
 import { fixed } from '../../chart/numbers.ts'
 import { frameRate } from '../../view/timeline.ts'
+import { onThemeChange } from '../../ui/theme.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
-import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
+import { MOST_RUNNERS } from '../../lab/state/check.ts'
+import { clockworkOf } from '../../lab/state/clockwork.ts'
+import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { drawPlayhead } from './playhead.ts'
 import { drawLane } from './stripDrawing.ts'
-import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { noteOf, stripText } from './stripWords.ts'
 import { StripTiles } from './stripTiles.ts'
 import type { Stretch } from './stripTiles.ts'
-import { onThemeChange } from '../../ui/theme.ts'
-import { clockworkOf } from '../../lab/state/clockwork.ts'
+import { noteOf, stripText } from './stripWords.ts'
 
 /** With fewer pixels than this to a frame, the time around the cursor is shown enlarged [px]. */
 const DENSE = 3

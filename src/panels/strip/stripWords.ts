@@ -1,7 +1,7 @@
 import { fixed, seconds } from '../../chart/numbers.ts'
+import { rowAt } from '../../view/timeline.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { rowAt } from '../../view/timeline.ts'
 
 /** What is to be said of a runner's time beside its ticks; '' where physics keeps up with the wall. */
 export function noteOf({ name, trajectory }: SimulatedRunner, now: number): string {

@@ -1,7 +1,7 @@
-import type { Materials, FigureInfo } from './materials.ts'
+import type { Highlight } from './highlight.ts'
+import type { FigureInfo, Materials } from './materials.ts'
 import { instead } from './problem.ts'
 import type { Place, TextProblem } from './problem.ts'
-import type { Highlight } from './highlight.ts'
 
 /** An entry of the table of contents. */
 export interface Chapter {

@@ -1,8 +1,8 @@
-import type { Brace } from './braces.ts'
-import type { Book } from './book.ts'
 import { attributes, escaped } from '../still/html.ts'
-import type { Place } from './problem.ts'
+import type { Book } from './book.ts'
+import type { Brace } from './braces.ts'
 import { wrongValue } from './presets.ts'
+import type { Place } from './problem.ts'
 
 type Dial = Extract<Brace, { kind: 'dial' }>
 

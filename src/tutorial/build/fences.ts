@@ -1,9 +1,9 @@
 import type { MarkdownIt } from 'markdown-it'
-import { codeHtml, sourceHtml, takeHomeHtml } from './code.ts'
-import type { Env } from './book.ts'
-import { hardCasesHtml } from './hardCases.ts'
-import { placeOf } from './book.ts'
 import { attributes } from '../still/html.ts'
+import { placeOf } from './book.ts'
+import type { Env } from './book.ts'
+import { codeHtml, sourceHtml, takeHomeHtml } from './code.ts'
+import { hardCasesHtml } from './hardCases.ts'
 
 /** Fenced blocks: a figure, lines of the project's own source, the take-home files, the hard cases, or code in a language. */
 export function fences(md: MarkdownIt): void {

@@ -1,11 +1,11 @@
+import { escaped } from '../still/html.ts'
 import { Book } from './book.ts'
-import type { Env, Chapter } from './book.ts'
+import type { Chapter, Env } from './book.ts'
 import { nameOf } from './headings.ts'
 import type { Highlight } from './highlight.ts'
 import { markdown } from './markdown.ts'
 import type { Materials } from './materials.ts'
 import type { TextProblem } from './problem.ts'
-import { escaped } from '../still/html.ts'
 
 /** The tutorial as HTML, its contents and its sections; and everything in the text that has to be mended. */
 export function tutorialHtml(

@@ -1,6 +1,6 @@
-import { mechanicalEnergy, stabilityLimit } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
+import { mechanicalEnergy, stabilityLimit } from '../../measure/index.ts'
 import { count, fixed, seconds } from '../../chart/numbers.ts'
 import { percent } from './fact.ts'
 import type { Facts } from './fact.ts'

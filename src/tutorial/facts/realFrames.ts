@@ -1,6 +1,6 @@
-import { frameRateSpread, trajectoryErrors } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Timestep } from '../../physics/index.ts'
+import { frameRateSpread, trajectoryErrors } from '../../measure/index.ts'
 import { metres, seconds } from '../../chart/numbers.ts'
 import { kick, paperStep } from './experiments.ts'
 import { exactly } from './fact.ts'

@@ -1,5 +1,5 @@
-import { frameRateSpread, spreadOf } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
+import { frameRateSpread, spreadOf } from '../../measure/index.ts'
 import { count, metres, place } from '../../chart/numbers.ts'
 import { at, end, kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'

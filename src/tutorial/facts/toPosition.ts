@@ -1,6 +1,6 @@
-import { trajectoryErrors } from '../../measure/index.ts'
 import { exact, forcesAt, simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
+import { trajectoryErrors } from '../../measure/index.ts'
 import { fixed, metres } from '../../chart/numbers.ts'
 import { at } from './experiments.ts'
 import type { Facts } from './fact.ts'

@@ -1,6 +1,6 @@
-import { frameRateSpread, trajectoryErrors } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
+import { frameRateSpread, trajectoryErrors } from '../../measure/index.ts'
 import { fixed, metres, plain } from '../../chart/numbers.ts'
 import { kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'

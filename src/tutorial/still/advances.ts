@@ -1,4 +1,4 @@
-import table from './advances.json' with { type: 'json' }
+import table from './advances.json'
 
 /** How wide each letter is, in thousandths of its size, by face. */
 const faces = new Map(

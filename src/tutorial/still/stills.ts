@@ -1,12 +1,12 @@
+import { Stage } from '../../view/stage.ts'
+import { opening } from '../../lab/state/opening.ts'
+import { Simulation } from '../../lab/state/simulation.ts'
+import { describe } from '../../lab/words.ts'
 import type { Figure } from '../../figures/shared/figure.ts'
 import { drawStill, heightOf } from '../../figures/shared/still.ts'
 import { attributes } from './html.ts'
 import { stillPalette } from './palette.ts'
 import { svgOf } from './svgCanvas.ts'
-import { Simulation } from '../../lab/state/simulation.ts'
-import { opening } from '../../lab/state/opening.ts'
-import { describe } from '../../lab/words.ts'
-import { Stage } from '../../view/stage.ts'
 
 /** How wide stills are drawn [px]: so that their letters can be read in a column as on paper. */
 const WIDTH = 640

@@ -1,10 +1,10 @@
 import { textWidth } from './advances.ts'
 import { attributes, escaped } from './html.ts'
 import type { Values } from './html.ts'
-import { decoded, encoded } from './palette.ts'
 import { applied, scaleOf } from './matrix.ts'
-import { SvgPath, short } from './svgPath.ts'
-import { SvgState, precise } from './svgState.ts'
+import { decoded, encoded } from './palette.ts'
+import { short, SvgPath } from './svgPath.ts'
+import { precise, SvgState } from './svgState.ts'
 
 /**
  * A canvas's context that writes SVG: as much of it as pictures use. Colours stay the custom properties that they are

@@ -1,6 +1,6 @@
-import { decoded } from './palette.ts'
 import { identity, product, scaleOf } from './matrix.ts'
 import type { Matrix } from './matrix.ts'
+import { decoded } from './palette.ts'
 
 /** What a canvas remembers with `save`. */
 const initial = {

@@ -1,8 +1,8 @@
 import { html } from 'lit'
-import type { Report, PeerRun } from '../../../report/schema.ts'
-import { plain, metres, raw } from '../../../chart/numbers.ts'
-import { time } from './stepTimes.ts'
+import type { PeerRun, Report } from '../../../report/schema.ts'
+import { metres, plain, raw } from '../../../chart/numbers.ts'
 import { menu } from '../../../ui/menu.ts'
+import { time } from './stepTimes.ts'
 
 /** What a time step of an engine costs with one block on one ramp. */
 export function engineTimes({ peers, contestants }: Report) {

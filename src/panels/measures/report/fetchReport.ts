@@ -1,5 +1,5 @@
-import { site } from '../../../lab/site.ts'
 import type { Report } from '../../../report/schema.ts'
+import { site } from '../../../lab/site.ts'
 
 /**
  * The report that was built with the page, if there is one.

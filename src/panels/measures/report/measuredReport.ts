@@ -1,9 +1,9 @@
 import { html, LitElement, nothing } from 'lit'
 import type { Report } from '../../../report/schema.ts'
+import { plain } from '../../../chart/numbers.ts'
 import { engineErrors, engineTimes } from './engines.ts'
 import { fetchReport } from './fetchReport.ts'
 import { stepTimes } from './stepTimes.ts'
-import { plain } from '../../../chart/numbers.ts'
 
 /** What the report says that comes with the page, fetched when it is unfolded. */
 class MeasuredReport extends LitElement {

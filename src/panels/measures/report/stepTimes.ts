@@ -1,6 +1,6 @@
 import { html } from 'lit'
-import { integrators, scenes } from '../../../physics/index.ts'
 import type { Report, StepTime } from '../../../report/schema.ts'
+import { integrators, scenes } from '../../../physics/index.ts'
 import { plain, raw, seconds } from '../../../chart/numbers.ts'
 
 /** What a step costs, beside the loop that somebody would write by hand for just this. */
