@@ -1,4 +1,5 @@
 import { html } from 'lit'
+import { segments } from '../ui/segments.ts'
 import type { LabView } from './labView.ts'
 import { aboutOf, modeOf, modes } from './state/modes.ts'
 
@@ -6,18 +7,12 @@ import { aboutOf, modeOf, modes } from './state/modes.ts'
 export function modeButtons({ simulated, preset, change }: LabView) {
   const mode = modeOf(simulated.state)
   return html`<div class="modes" part="modes">
-    <div class="segments" role="group" aria-label="All runners at once">
-      ${modes.map(
-        ({ id, label }) =>
-          html`<button
-            type="button"
-            aria-pressed=${id === mode?.id}
-            @click=${() => change({ kind: 'mode', mode: id })}
-          >
-            ${label}
-          </button>`,
-      )}
-    </div>
+    ${segments({
+      label: 'All runners at once',
+      list: modes.map(({ id, label }) => ({ id, label })),
+      chosen: mode?.id,
+      pick: ({ id }) => change({ kind: 'mode', mode: id }),
+    })}
     <p class="about">
       ${mode ? aboutOf(mode, simulated.state) : `A mixture${preset ? '' : ' of your own'}. Any of the buttons sets all runners to one way again.`}
     </p>

@@ -11,7 +11,7 @@ interface Segments<Each extends Segment> {
   /** For whoever can't see where they stand. */
   readonly label: string
   readonly list: readonly Each[]
-  readonly chosen: string
+  readonly chosen: string | undefined
   readonly pick: (each: Each) => void
 }
 

@@ -1,3 +1,4 @@
+import { penOf } from '../chart/pen.ts'
 import { forgetWidths } from '../chart/text.ts'
 import { Backdrop } from './backdrop.ts'
 import { dragged } from './drag.ts'
@@ -47,7 +48,7 @@ export class Stage {
     } else {
       const { clientWidth: width, clientHeight: height } = this.canvas
       if (width === 0 || height === 0) return
-      this.fitPixels(width, height, ratio)
+      penOf(this.canvas, width, height)
       this.palette = this.reader.read()
       this.shown = settingOf(picture, this.layoutOf(picture, width, height))
       this.made = { frozen, ratio }
@@ -86,14 +87,6 @@ export class Stage {
       shown.layout.width === width &&
       shown.layout.height === height
     return still ? held(shown.layout, picture) : layOut(picture, width, height)
-  }
-
-  private fitPixels(width: number, height: number, ratio: number): void {
-    const [columns, rows] = [Math.round(width * ratio), Math.round(height * ratio)]
-    // Setting a size clears the canvas and is slow, even where it changes nothing.
-    if (this.canvas.width !== columns) this.canvas.width = columns
-    if (this.canvas.height !== rows) this.canvas.height = rows
-    this.context.setTransform(columns / width, 0, 0, rows / height, 0, 0)
   }
 }
 

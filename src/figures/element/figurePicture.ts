@@ -1,4 +1,5 @@
 import { html, LitElement } from 'lit'
+import { penOf } from '../../chart/pen.ts'
 import { forgetWidths } from '../../chart/text.ts'
 import { drawDisc } from '../../view/handles.ts'
 import { PaletteReader } from '../../view/palette.ts'
@@ -103,23 +104,13 @@ class FigurePicture extends LitElement {
     const { context, panel, size, playback, held, lit } = this
     const { width, height } = size
     if (width === 0) return
-    this.fitPixels()
+    penOf(this.canvas, width, height)
     const palette = this.colours.read()
     context.save()
     panel.draw({ context, width, height, palette }, this.view(playback.time))
     context.restore()
     for (const grip of this.grips())
       drawDisc(context, grip, grip.control === (held ?? lit), palette)
-  }
-
-  private fitPixels(): void {
-    const { canvas, context, size } = this
-    const [columns, rows] = [size.width, size.height].map((each) =>
-      Math.round(each * devicePixelRatio),
-    ) as [number, number]
-    if (canvas.width !== columns) canvas.width = columns
-    if (canvas.height !== rows) canvas.height = rows
-    context.setTransform(columns / size.width, 0, 0, rows / size.height, 0, 0)
   }
 
   private target(grip: Grip) {

@@ -1,9 +1,9 @@
 import { LitElement } from 'lit'
 import type { PropertyValues } from 'lit'
-import { simulate } from '../../physics/index.ts'
 import type { Trajectory } from '../../physics/index.ts'
 import { onNear } from '../../ui/sight.ts'
 import { Playback } from '../../lab/playback/playback.ts'
+import { RunCache } from '../../lab/state/runCache.ts'
 import { figures } from '../index.ts'
 import type { Values } from '../shared/control.ts'
 import type { Figure } from '../shared/figure.ts'
@@ -45,7 +45,7 @@ export class SlideFigure extends LitElement {
   private guest: HTMLElement | undefined
   private waking: Promise<void> | undefined
   private asked: Record<string, unknown> = {}
-  private kept = new Map<string, Trajectory>()
+  private readonly cache = new RunCache()
   private timer: ReturnType<typeof setTimeout> | undefined
   private stopWatching = () => {}
 
@@ -151,15 +151,7 @@ export class SlideFigure extends LitElement {
   }
 
   private show(values: Values): void {
-    const runs = new Map<string, Trajectory>()
-    const trajectories = this.figure!.experiments(values).map((experiment) => {
-      const key = JSON.stringify(experiment)
-      const trajectory = runs.get(key) ?? this.kept.get(key) ?? simulate(experiment)
-      runs.set(key, trajectory)
-      return trajectory
-    })
-    this.kept = runs
-    this.view = { values, runs: trajectories }
+    this.view = { values, runs: this.cache.run(this.figure!.experiments(values)) }
   }
 
   private tellLater(): void {

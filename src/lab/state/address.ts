@@ -42,7 +42,8 @@ export function readAddress(address: string): LabState {
   }
   const problems: Problem[] = []
   const fields = new Map<string, string>()
-  for (const [key, text] of address.split('&').filter(Boolean).map(field)) {
+  // As in the query of any address, but that a plus stands for itself: it separates the items of a list.
+  for (const [key, text] of new URLSearchParams(address.replaceAll('+', '%2B'))) {
     if (fields.has(key)) problems.push({ path: key.slice(0, 40), message: 'stands there twice' })
     fields.set(key, text)
   }
@@ -75,20 +76,6 @@ export function linkTo(page: string, site: string, state: LabState): string {
   const url = new URL(page, site)
   url.hash = writeAddress(state)
   return url.href
-}
-
-function field(text: string): [string, string] {
-  const [key, ...rest] = text.split('=')
-  return [decode(key!), decode(rest.join('='))]
-}
-
-/** What can't be decoded stands for itself, so that a message can show it. */
-function decode(text: string): string {
-  try {
-    return decodeURIComponent(text)
-  } catch {
-    return text
-  }
 }
 
 function value(text: string): unknown {

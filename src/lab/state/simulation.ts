@@ -1,8 +1,9 @@
-import { exactMotion, scenes, simulate } from '../../physics/index.ts'
+import { exactMotion, scenes } from '../../physics/index.ts'
 import type { ExactMotion, Scene, Trajectory } from '../../physics/index.ts'
 import { spreadOf } from '../../measure/index.ts'
 import { experimentOf } from './check.ts'
 import { namesOf } from './names.ts'
+import { RunCache } from './runCache.ts'
 import type { LabState, RunnerState } from './state.ts'
 
 /** A runner, and all that it did. */
@@ -26,19 +27,14 @@ export interface Simulated {
 
 /** Runs lab states. What did not change since the state before is not run again. */
 export class Simulation {
-  private runs = new Map<string, Trajectory>()
+  private readonly cache = new RunCache()
 
   run(state: LabState): Simulated {
     const names = namesOf(state.runners)
-    const runs = new Map<string, Trajectory>()
+    const runs = this.cache.run(state.runners.map((runner) => experimentOf(state, runner)))
     const runners = state.runners.map((runner, i) => {
-      const experiment = experimentOf(state, runner)
-      const key = JSON.stringify(experiment)
-      const trajectory = runs.get(key) ?? this.runs.get(key) ?? simulate(experiment)
-      runs.set(key, trajectory)
-      return { state: runner, name: names[i]!, trajectory }
+      return { state: runner, name: names[i]!, trajectory: runs[i]! }
     })
-    this.runs = runs
     const visible = runners.filter((runner) => !runner.state.hidden)
     return {
       state,

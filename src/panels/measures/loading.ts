@@ -1,13 +1,12 @@
 import { parseExperiment } from '../../physics/index.ts'
 import type { Experiment, SceneId } from '../../physics/index.ts'
-import type { MethodChoice } from '../../measure/index.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { preset } from '../../lab/presets/preset.ts'
 import { isAtHome, site } from '../../lab/site.ts'
 import { linkTo, writeAddress } from '../../lab/state/address.ts'
 import { checked } from '../../lab/state/check.ts'
 import { openingOf } from '../../lab/state/opening.ts'
-import type { LabState } from '../../lab/state/state.ts'
+import type { LabState, Method } from '../../lab/state/state.ts'
 
 /** A run that was measured, and what was measured of it, in words. */
 export interface Measured {
@@ -31,7 +30,7 @@ export function loadInto(lab: LabView, { experiment, label, words }: Measured): 
 export function loadMethod(
   lab: LabView,
   scene: SceneId,
-  method: MethodChoice,
+  method: Method,
   { label, words }: Pick<Measured, 'label' | 'words'>,
 ): void {
   const { state } = lab.simulated

@@ -1,11 +1,10 @@
 import { html } from 'lit'
 import { integrators, stoppings, timesteps } from '../../physics/index.ts'
 import { REFERENCE_RATE } from '../../measure/index.ts'
-import type { MethodChoice } from '../../measure/index.ts'
 import { menu } from '../../ui/menu.ts'
 import { segments } from '../../ui/segments.ts'
 import { choose } from '../../lab/state/change.ts'
-import type { RunnerState } from '../../lab/state/state.ts'
+import type { Method } from '../../lab/state/state.ts'
 import { parametersOf } from './mapWish.ts'
 import type { MapWish } from './mapWish.ts'
 import { progress } from './measuring.ts'
@@ -22,8 +21,8 @@ export function mapControls(
   wish: (change: Partial<MapWish>) => void,
   measuring: Measuring,
 ) {
-  const set = (values: Partial<MethodChoice>) => {
-    wish({ method: { ...method, ...values } as MethodChoice })
+  const set = (values: Partial<Method>) => {
+    wish({ method: { ...method, ...values } })
     return true
   }
   const parameters = Object.entries(parametersOf(experiment)).map(([id, { label }]) => {
@@ -53,20 +52,19 @@ export function mapControls(
         label: 'Integrator of the map',
         list: integrators,
         chosen: method.integrator,
-        pick: (id) => set({ integrator: id as MethodChoice['integrator'] }),
+        pick: (id) => set({ integrator: id }),
       })}
       ${menu({
         label: 'Stopping rule of the map',
         list: stoppings,
         chosen: method.stopping,
-        pick: (id) => set({ stopping: id as MethodChoice['stopping'] }),
+        pick: (id) => set({ stopping: id }),
       })}
       ${menu({
         label: 'Time step of the map',
         list: timesteps,
         chosen: method.timestep.kind,
-        pick: (id) =>
-          set({ timestep: choose('timestep', id, method.timestep as RunnerState['timestep']) }),
+        pick: (id) => set({ timestep: choose('timestep', id, method.timestep) }),
       })}
     </span>
     ${progress(measuring)}

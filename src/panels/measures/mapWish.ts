@@ -1,6 +1,7 @@
 import { scenes } from '../../physics/index.ts'
 import type { Experiment, ResolvedExperiment, Scene } from '../../physics/index.ts'
-import type { MapRequest, MethodChoice } from '../../measure/index.ts'
+import type { MapRequest } from '../../measure/index.ts'
+import type { Method } from '../../lab/state/state.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
 /** What a map is to show. */
@@ -10,7 +11,7 @@ export interface MapWish {
   readonly of: MapRequest['of']
   /** What runs upwards. */
   readonly parameter: string
-  readonly method: MethodChoice
+  readonly method: Method
 }
 
 const COLUMNS = 160

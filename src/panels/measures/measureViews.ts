@@ -1,8 +1,9 @@
 import { html, LitElement, nothing } from 'lit'
 import type { SceneId } from '../../physics/index.ts'
-import type { MethodChoice } from '../../measure/index.ts'
+import { segments } from '../../ui/segments.ts'
 import type { LabView } from '../../lab/labView.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
+import type { Method } from '../../lab/state/state.ts'
 import { loadInto, loadMethod } from './loading.ts'
 import type { Measured } from './loading.ts'
 import './rateMapView.ts'
@@ -61,14 +62,12 @@ class MeasureViews extends LitElement {
 
   override render() {
     const { view } = this
-    return html`<div class="segments views" role="group" aria-label="What is measured">
-        ${views.map(
-          ({ id, label }) =>
-            html`<button type="button" aria-pressed=${id === view} @click=${() => (this.view = id)}>
-              ${label}
-            </button>`,
-        )}
-      </div>
+    return html`${segments({
+        label: 'What is measured',
+        list: views.map(({ id, label }) => ({ id, label })),
+        chosen: view,
+        pick: ({ id }) => (this.view = id),
+      })}
       <p class="about">${views.find(({ id }) => id === view)!.about}</p>
       ${this.chosen()}`
   }
@@ -102,7 +101,7 @@ class MeasureViews extends LitElement {
 
   private readonly loadMethod = (
     scene: SceneId,
-    method: MethodChoice,
+    method: Method,
     label: string,
     words: string,
   ): void => loadMethod(this.lab, scene, method, { label, words })

@@ -3,8 +3,9 @@ import type { ReactiveControllerHost } from 'lit'
 import { guard } from 'lit/directives/guard.js'
 import type { ResolvedExperiment } from '../../physics/index.ts'
 import { mappedExperiment } from '../../measure/index.ts'
-import type { MapRequest, MapRow, MethodChoice } from '../../measure/index.ts'
+import type { MapRequest, MapRow } from '../../measure/index.ts'
 import { tableFold } from '../../ui/tableFold.ts'
+import type { Method } from '../../lab/state/state.ts'
 import type { Measured } from './loading.ts'
 import { MapCells } from './mapCells.ts'
 import { mapLegend } from './mapColours.ts'
@@ -43,7 +44,7 @@ class RateMap extends LitElement implements MapWish {
   /** What is measured of the map that is seen. */
   cells!: MapCells
   /** The runner's own, until the reader chooses another. */
-  declare method: MethodChoice
+  declare method: Method
   declare of: MapRequest['of']
   declare parameter: string
   private methodKey = ''

@@ -118,7 +118,7 @@ class SpeedDiagram extends LitElement {
           list: stoppings,
           chosen: this.stopping,
           pick: (id) => {
-            this.stopping = id as StoppingId
+            this.stopping = id
             return true
           },
         })}

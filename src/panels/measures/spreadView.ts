@@ -2,13 +2,13 @@ import { html, LitElement, nothing } from 'lit'
 import { integrators, scenes, stoppings, timesteps } from '../../physics/index.ts'
 import type { Experiment, SceneId } from '../../physics/index.ts'
 import { spreadMethods } from '../../measure/index.ts'
-import type { MethodChoice, SpreadRequest, SpreadRow } from '../../measure/index.ts'
+import type { Method, LabState } from '../../lab/state/state.ts'
+import type { SpreadRequest, SpreadRow } from '../../measure/index.ts'
 import { sizeText } from '../../chart/magnitudes.ts'
 import { raw } from '../../chart/numbers.ts'
 import { menu } from '../../ui/menu.ts'
 import { openingOf } from '../../lab/state/opening.ts'
 import { choose } from '../../lab/state/change.ts'
-import type { LabState, RunnerState } from '../../lab/state/state.ts'
 import { Measuring, progress } from './measuring.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
@@ -27,9 +27,9 @@ class SpreadView extends LitElement {
 
   declare state: LabState
   /** Not reactive: a fresh closure is no reason to draw again. */
-  declare load: (scene: SceneId, method: MethodChoice, label: string, words: string) => void
-  declare private stopping: MethodChoice['stopping']
-  declare private timestep: MethodChoice['timestep']
+  declare load: (scene: SceneId, method: Method, label: string, words: string) => void
+  declare private stopping: Method['stopping']
+  declare private timestep: Method['timestep']
   private rows = new Map<number, Float64Array>()
   private readonly measuring: Measuring = new Measuring(this, (_, parts, fresh) => {
     if (fresh) this.rows = new Map()
@@ -73,7 +73,7 @@ class SpreadView extends LitElement {
             list: stoppings,
             chosen: stopping,
             pick: (id) => {
-              this.stopping = id as MethodChoice['stopping']
+              this.stopping = id
               return true
             },
           })}
@@ -85,7 +85,7 @@ class SpreadView extends LitElement {
             list: timesteps,
             chosen: timestep.kind,
             pick: (id) => {
-              this.timestep = choose('timestep', id, timestep as RunnerState['timestep'])
+              this.timestep = choose('timestep', id, timestep)
               return true
             },
           })}
@@ -116,7 +116,7 @@ class SpreadView extends LitElement {
     </div>`
   }
 
-  private row(method: MethodChoice, row: number) {
+  private row(method: Method, row: number) {
     const integrator = integrators.find(({ id }) => id === method.integrator)!.label
     const name = row === 0 ? 'The paper’s own step' : integrator
     const spreads = this.rows.get(row)

@@ -83,7 +83,7 @@ describe('a bad address', () => {
     ['runners=10)/rk4', 'runners[0]: "10)'],
     ['runners=1000/per-frame(step:1)&duration=100000', 'frames, more than'],
     ['scene=half-pipe&position=9', 'is not inside the pipe'],
-    ['angle=%E0%A4%A', 'parameters.angle: "%E0%A4%A" is not a number'],
+    ['angle=%E0%A4%A', 'parameters.angle: "\ufffd%A" is not a number'],
     ['__proto__=1', 'not known'],
   ])('%s', (address, message) => {
     expect(() => readAddress(address)).toThrow(message)
