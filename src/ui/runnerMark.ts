@@ -1,5 +1,5 @@
 import { html, LitElement, svg } from 'lit'
-import { markText } from '../view/marks.ts'
+import { drawMark } from '../view/marks.ts'
 
 /**
  * A runner's mark in its colour, the one that its dots have in the picture.
@@ -38,6 +38,46 @@ export function svgMark(look: number, x: number, y: number, radius: number) {
 /** To a hundredth of a pixel. */
 export function round(value: number): number {
   return Math.round(value * 100) / 100
+}
+
+/** A mark around the origin, of radius 1, as the value of a path element's `d`. */
+function markText(look: number): string {
+  const path = new SvgPath()
+  drawMark(path, look)
+  return path.text
+}
+
+/** A path as the text that SVG knows it by: the calls of a canvas's path that shapes here are made of. */
+class SvgPath {
+  private readonly parts: string[] = []
+
+  /** The value of a path element's `d`. */
+  get text(): string {
+    return this.parts.join('')
+  }
+
+  lineTo(x: number, y: number): void {
+    this.parts.push(`${this.parts.length > 0 ? 'L' : 'M'}${short(x)} ${short(y)}`)
+  }
+
+  closePath(): void {
+    this.parts.push('Z')
+  }
+
+  rect(x: number, y: number, width: number, height: number): void {
+    this.parts.push(`M${short(x)} ${short(y)}h${short(width)}v${short(height)}h${short(-width)}Z`)
+  }
+
+  /** Only whole circles. */
+  arc(x: number, y: number, radius: number, _: number, __: number, against = false): void {
+    const half = `a${short(radius)} ${short(radius)} 0 0 ${against ? 0 : 1} `
+    const across = short(2 * radius)
+    this.parts.push(`M${short(x - radius)} ${short(y)}${half}${across} 0${half}-${across} 0Z`)
+  }
+}
+
+function short(x: number): string {
+  return String(Number(x.toFixed(3)))
 }
 
 customElements.define('runner-mark', RunnerMark)

@@ -4,6 +4,7 @@ import { exactExtent } from './extent.ts'
 import type { Layout } from './layout.ts'
 import type { Picture, PictureRunner } from './picture.ts'
 import type { Projection } from './projection.ts'
+import { viewOf } from './scenes.ts'
 import { endOf, rowAt } from './timeline.ts'
 import type { End } from './timeline.ts'
 
@@ -62,5 +63,5 @@ export function bodyAt(
   { block }: Layout,
   projection: Projection,
 ): Body {
-  return { spot: projection.at(s), size: block, round: scene.id === 'fall' }
+  return { spot: projection.at(s), size: block, round: viewOf(scene).falls }
 }

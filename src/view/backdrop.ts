@@ -3,6 +3,7 @@ import { drawAngle } from './angleArc.ts'
 import { drawGround } from './ground.ts'
 import type { Palette } from './palette.ts'
 import { drawPost, drawScaleBar } from './rulers.ts'
+import { viewOf } from './scenes.ts'
 import type { Setting } from './setting.ts'
 import { drawGhost } from './start.ts'
 import { batchesOf, countDots, drawBatch, drawFaint, drawLatest, lanesOf } from './strobe.ts'
@@ -70,7 +71,7 @@ function drawScenery(
 ): Box[] {
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, layout.width, layout.height)
-  if (picture.scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
+  if (viewOf(picture.scene).falls) drawPost(context, picture, layout, projection, palette)
   else {
     drawGround(context, picture, layout, projection, palette)
     drawScaleBar(context, layout, palette)

@@ -8,6 +8,7 @@ import { placeColumn, placeLabels } from './labels.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Projection } from './projection.ts'
+import { viewOf } from './scenes.ts'
 import type { Setting } from './setting.ts'
 
 /** Where every actor's caption stands, none over another, over a block or over the `obstacles`. */
@@ -22,7 +23,7 @@ export function placeCaptions(
   context.font = `500 ${layout.row - 5}px ${palette.sans}`
   const { font } = context
   const captions = actors.map((actor) => captionOf(context, font, actor, picture, layout))
-  const vertical = picture.scene.id === 'fall'
+  const vertical = viewOf(picture.scene).falls
   captions.sort(inOrder(captions, projection, vertical))
   if (vertical) return column(captions, obstacles, layout)
   const poles = captions.map(({ actor, width, lean }) => ({

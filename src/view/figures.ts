@@ -7,6 +7,7 @@ import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection, Spot } from './projection.ts'
+import { viewOf } from './scenes.ts'
 
 /** A figure next to a handle. */
 export interface Figure {
@@ -19,12 +20,13 @@ export interface Figure {
 /** The figures that stand next to handles: the speed always, what is held or pointed at too. */
 export function figuresOf(picture: Picture, layout: Layout, projection: Projection): Figure[] {
   const { scene, parameters, held, lit } = picture
+  const { falls } = viewOf(scene)
   const spot = projection.at(parameters.position!)
   const figures: Figure[] = []
   const v = parameters.speed!
   if (v !== 0 || held === 'push' || lit === 'push') {
     const tip = handleAt('push', picture, layout)
-    const at = scene.id === 'fall' ? moved(tip, spot.out, 40) : moved(tip, clear(spot, 24), 1)
+    const at = falls ? moved(tip, spot.out, 40) : moved(tip, clear(spot, 24), 1)
     figures.push({ text: speed(Math.abs(v)), at, held: held === 'push' })
   }
   if (held === 'place') {
@@ -32,7 +34,7 @@ export function figuresOf(picture: Picture, layout: Layout, projection: Projecti
     const at = moved(middle, clear(spot, layout.block / 2 + 20), 1)
     figures.push({
       text: place(parameters.position!, 2 / layout.camera.scale),
-      at: scene.id === 'fall' ? moved(middle, spot.out, layout.block / 2 + 34) : at,
+      at: falls ? moved(middle, spot.out, layout.block / 2 + 34) : at,
       held: true,
     })
   }

@@ -1,10 +1,10 @@
-import type { Parameters } from '../physics/index.ts'
 import type { Point } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
-import { bendEnd } from './subjects.ts'
+import { viewOf } from './scenes.ts'
+import type { Bend } from './scenes.ts'
 
 /** The ends of the track as drawn: beyond them it is level. A run that outgrows a held view takes them along. */
 export function drawnEnds({ ends, extent, camera, block }: Layout): { from: number; to: number } {
@@ -29,20 +29,18 @@ export function outline(picture: Picture, layout: Layout, projection: Projection
 /** The places of the track that its outline goes through. */
 function distances({ scene, parameters }: Picture, layout: Layout): number[] {
   const { from, to } = drawnEnds(layout)
-  if (scene.id === 'half-pipe') return pipe(parameters, layout)
-  if (scene.id !== 'run-out') return [from, to]
-  const bend = parameters.length!
-  const flat = bendEnd(parameters)
-  const right = flat + (2 * layout.width) / layout.camera.scale
-  return [Math.min(from, bend), ...range(bend, flat, 48), right]
+  const bend = viewOf(scene).bend?.(parameters)
+  if (!bend) return [from, to]
+  if (!bend.joined) return pipe(bend, layout)
+  const right = bend.to + (2 * layout.width) / layout.camera.scale
+  return [Math.min(from, bend.from), ...range(bend.from, bend.to, 48), right]
 }
 
 /** The pipe between its lips, or as much of it as can be on the canvas. */
-function pipe({ radius }: Parameters, { extent, width, height, camera }: Layout): number[] {
-  const lip = (Math.PI / 2) * radius!
+function pipe({ from, to }: Bend, { extent, width, height, camera }: Layout): number[] {
   const middle = (extent.from + extent.to) / 2
   const reach = (width + height) / camera.scale
-  return range(Math.max(-lip, middle - reach), Math.min(lip, middle + reach), 160)
+  return range(Math.max(from, middle - reach), Math.min(to, middle + reach), 160)
 }
 
 function range(from: number, to: number, parts: number): number[] {

@@ -31,7 +31,7 @@ export function markOf(look: number, radius: number): Path2D {
   if (!path) {
     if (paths.size > 100) paths.clear()
     const unit = new Path2D()
-    marks[look % marks.length]!(unit)
+    drawMark(unit, look)
     path = new Path2D()
     path.addPath(unit, new DOMMatrix([radius, 0, 0, radius, 0, 0]))
     paths.set(key, path)
@@ -46,11 +46,9 @@ export function markPath(look: number, x: number, y: number, radius: number): Pa
   return path
 }
 
-/** A mark around the origin, of radius 1, for SVG. */
-export function markText(look: number): string {
-  const path = new SvgPath()
+/** Draws a mark around the origin, of radius 1. */
+export function drawMark(path: Path, look: number): void {
   marks[look % marks.length]!(path)
-  return path.text
 }
 
 function polygon(path: Path, corners: number, radius: number, start: number): void {
@@ -68,37 +66,4 @@ function star(path: Path): void {
     path.lineTo(radius * Math.cos(angle), radius * Math.sin(angle))
   }
   path.closePath()
-}
-
-/** A path as the text that SVG knows it by: the calls of a canvas's path that shapes here are made of. */
-class SvgPath {
-  private readonly parts: string[] = []
-
-  /** The value of a path element's `d`. */
-  get text(): string {
-    return this.parts.join('')
-  }
-
-  lineTo(x: number, y: number): void {
-    this.parts.push(`${this.parts.length > 0 ? 'L' : 'M'}${short(x)} ${short(y)}`)
-  }
-
-  closePath(): void {
-    this.parts.push('Z')
-  }
-
-  rect(x: number, y: number, width: number, height: number): void {
-    this.parts.push(`M${short(x)} ${short(y)}h${short(width)}v${short(height)}h${short(-width)}Z`)
-  }
-
-  /** Only whole circles. */
-  arc(x: number, y: number, radius: number, _: number, __: number, against = false): void {
-    const half = `a${short(radius)} ${short(radius)} 0 0 ${against ? 0 : 1} `
-    const across = short(2 * radius)
-    this.parts.push(`M${short(x - radius)} ${short(y)}${half}${across} 0${half}-${across} 0Z`)
-  }
-}
-
-function short(x: number): string {
-  return String(Number(x.toFixed(3)))
 }

@@ -4,7 +4,7 @@ import type { Trajectory } from '../../src/physics/index.ts'
 import { readAddress } from '../../src/lab/state/address.ts'
 import { experimentOf } from '../../src/lab/state/check.ts'
 import { lengthText } from '../../src/chart/numbers.ts'
-import { errorText } from '../../src/lab/words.ts'
+import { errorText } from '../../src/panels/runners/results.ts'
 import { Simulation } from '../../src/lab/state/simulation.ts'
 import { openLab } from './labPage.ts'
 

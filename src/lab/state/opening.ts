@@ -2,8 +2,8 @@ import { scenes } from '../../physics/index.ts'
 import type { Parameters, Scene, SceneId } from '../../physics/index.ts'
 import type { LabState, RunnerState } from './state.ts'
 
-/** Where each scene shows at once what it is for, in what differs from the scene's own defaults. */
-const openings: Readonly<Record<SceneId, { duration: number; parameters: Parameters }>> = {
+/** What shows at once what a scene is for, where its own defaults do not. */
+const openings: { readonly [id in SceneId]?: { duration: number; parameters: Parameters } } = {
   fall: { duration: 2, parameters: { drag: 0.2 } },
   ramp: { duration: 1, parameters: { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5 } },
   'run-out': { duration: 5, parameters: {} },
@@ -24,7 +24,7 @@ const runners: readonly RunnerState[] = [10, 30, 120].map((fps, look) => ({
 export function openingOf(id: SceneId): LabState {
   const scene: Scene = scenes.find((each) => each.id === id)!
   const initial = Object.entries(scene.parameters).map(([name, option]) => [name, option.initial])
-  const { duration, parameters } = openings[id]
+  const { duration = scene.duration, parameters } = openings[id] ?? {}
   return {
     scene: id,
     parameters: { ...(Object.fromEntries(initial) as Parameters), ...parameters },

@@ -4,6 +4,7 @@ import { dot, length } from '../../physics/index.ts'
 import type { ResolvedExperiment, Vector } from '../../physics/index.ts'
 import { fixed, plain, raw } from '../../chart/numbers.ts'
 import type { PictureForces } from '../../view/picture.ts'
+import { viewOf } from '../../view/scenes.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import { arrowNames, lookedAt, pictureForces } from './forcesPicture.ts'
@@ -63,7 +64,7 @@ function legend(lab: LabView, looked: Looked | undefined) {
 
 function table(lab: LabView, { largest }: Looked, { vectors, velocity }: Forces) {
   const { scene } = lab.simulated
-  const arrow = scene.id === 'fall' ? '↓' : scene.facing > 0 ? '→' : '←'
+  const arrow = viewOf(scene).falls ? '↓' : scene.facing > 0 ? '→' : '←'
   const row = (name: unknown, value: Vector, unit: string, most: number) =>
     html`<tr>
       <th scope="row">${name}<span class="unit-beside" aria-hidden="true">, ${unit}</span></th>

@@ -1,6 +1,7 @@
 import { exactMotion, forcesAt, length } from '../../physics/index.ts'
 import type { ForceVectors, State, Trajectory, Vector } from '../../physics/index.ts'
 import type { ArrowId, PictureForces, PictureVector } from '../../view/picture.ts'
+import { viewOf } from '../../view/scenes.ts'
 import { endOf, rowAt } from '../../view/timeline.ts'
 import type { LabView } from '../../lab/labView.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
@@ -103,11 +104,11 @@ export interface ArrowName {
 }
 
 /** The arrows that a scene can have, in the order in which they are told. */
-export function arrowNames({ simulated: { state } }: LabView): ArrowName[] {
-  const { scene, parameters } = state
+export function arrowNames({ simulated: { scene, state } }: LabView): ArrowName[] {
+  const { parameters } = state
   const names: (ArrowName | false)[] = [
     { id: 'gravity', tag: 'G', name: 'Gravity' },
-    scene !== 'fall' && { id: 'normal', tag: 'N', name: 'Normal force' },
+    !viewOf(scene).falls && { id: 'normal', tag: 'N', name: 'Normal force' },
     'muKinetic' in parameters && { id: 'friction', tag: 'F', name: 'Friction' },
     'stiffness' in parameters && { id: 'other', tag: 'S', name: 'Spring' },
     'drag' in parameters && { id: 'other', tag: 'D', name: 'Drag' },

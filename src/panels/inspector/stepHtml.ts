@@ -76,7 +76,7 @@ function looks({ evaluations, reused, slip }: TriedStep, experiment: ResolvedExp
     : ''
   const first = reused === undefined ? 1 : 2
   const legend = rubs
-    ? `drive: gravity${experiment.scene === 'spring' ? ' and spring' : ''} along the track. press: what presses the block to it. Both for each kilogram.`
+    ? `drive: gravity${'stiffness' in experiment.parameters ? ' and spring' : ''} along the track. press: what presses the block to it. Both for each kilogram.`
     : 'drive: all that acts along the track, for each kilogram.'
   return html`<h3>Looks at the forces${direction}</h3>
     <p class="legend">${legend}</p>

@@ -1,3 +1,4 @@
+import { viewOf } from '../../view/scenes.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { energy, error, position, shownPosition, speed } from './quantity.ts'
 import type { Quantity } from './quantity.ts'
@@ -20,7 +21,7 @@ export const plotKinds: readonly PlotKind[] = [
   {
     id: 'position',
     title: 'Position',
-    caption: ({ scene }) => `as each frame shows it; ${forwards(scene.id)} is plus`,
+    caption: ({ scene }) => `as each frame shows it; ${viewOf(scene).forwards} is plus`,
     of: shownPosition,
   },
   { id: 'speed', title: 'Speed', caption: () => 'along the track', of: speed },
@@ -48,9 +49,3 @@ export const plotKinds: readonly PlotKind[] = [
         : '',
   },
 ]
-
-/** The direction of growing s, in words. */
-function forwards(scene: string): string {
-  if (scene === 'fall') return 'down'
-  return scene === 'half-pipe' ? 'to the right' : 'down the slope'
-}

@@ -1,8 +1,8 @@
 import { html, LitElement, nothing } from 'lit'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
-import type { Described, Options, Trajectory } from '../../physics/index.ts'
-import { count, place, raw, seconds } from '../../chart/numbers.ts'
-import { endOf, rowAt } from '../../view/timeline.ts'
+import type { Described, Options } from '../../physics/index.ts'
+import { count } from '../../chart/numbers.ts'
+import { rowAt } from '../../view/timeline.ts'
 import { icon } from '../../ui/icons.ts'
 import { menu } from '../../ui/menu.ts'
 import '../../ui/runnerMark.ts'
@@ -12,8 +12,8 @@ import { choose } from '../../lab/state/change.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import type { RunnerState } from '../../lab/state/state.ts'
-import { errorText } from '../../lab/words.ts'
 import { optionFields } from './optionFields.ts'
+import { endText, errorText } from './results.ts'
 
 /**
  * A runner's row: what can be set on it, and how wrong it is.
@@ -236,22 +236,6 @@ class RunnerRow extends LitElement {
     this.problem = this.lab.change({ kind: 'runner', index: this.index, values })
     return this.problem === ''
   }
-}
-
-const words = { 'at-rest': '', 'left-the-track': 'left the track', diverged: 'diverged' }
-
-/** When and where a run stopped, or what else became of it: “0.70 s · 1.47 m”, “moving”, “diverged 1.20 s”. */
-export function endText(trajectory: Trajectory): { text: string; title: string } {
-  const { drawnS, v, frames, experiment } = trajectory
-  const end = endOf(trajectory)
-  if (!end && v[frames] === 0)
-    return { text: 'at a stop', title: 'Its speed is 0 as the run is over' }
-  if (!end) return { text: 'moving', title: 'Still moving when the run is over' }
-  const { kind, time } = end
-  const way = Math.abs(drawnS[frames]! - experiment.parameters.position!)
-  const title = `t = ${raw(time)} s, ${raw(way)} m from the start`
-  if (kind === 'at-rest') return { text: `${seconds(time)} · ${place(way)}`, title }
-  return { text: `${words[kind]} ${seconds(time)}`, title }
 }
 
 customElements.define('runner-row', RunnerRow)

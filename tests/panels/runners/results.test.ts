@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { simulate } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
-import { endText } from '../../../src/panels/runners/runnerRow.ts'
+import { endText } from '../../../src/panels/runners/results.ts'
 
 const text = (experiment: Experiment) =>
   endText(simulate(experiment)).text.replaceAll('\u2009', ' ')
