@@ -69,7 +69,7 @@ export class SlideFigureElement extends SlideFigure {
     super()
     this.problems = {}
     this.#shadow.root.append(document.createElement('slot'))
-    this.playback.watch(this, 'write', () => {
+    this.playback.subscribe(this, 'write', () => {
       const { time } = this.playback
       this.dispatchEvent(new CustomEvent('timeupdate', { detail: { time } }))
     })

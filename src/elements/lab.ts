@@ -107,7 +107,7 @@ export class SlideLabElement extends SlideLab {
     this.problems = []
     // Vue takes `compact` alone for true only where it finds a boolean.
     this.compact = false
-    this.playback.watch(this, 'write', () => {
+    this.playback.subscribe(this, 'write', () => {
       this.#tell('timeupdate', { time: this.playback.time })
     })
   }

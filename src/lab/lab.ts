@@ -75,7 +75,7 @@ export abstract class Lab extends LitElement implements LabView {
     this.linkProblem = ''
     this.state = opening
     this.spoken = describe(this.simulated, this.playback.time)
-    this.playback.watch(this, 'write', this.tellLater)
+    this.playback.subscribe(this, 'write', this.tellLater)
     this.addEventListener('keydown', (event) => shortcut(event, this.playback))
   }
 

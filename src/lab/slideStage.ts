@@ -57,7 +57,7 @@ export class SlideStage extends LitElement {
     sizes.observe(this.canvas)
     const stopThemes = onThemeChange(redraw)
     document.fonts.addEventListener('loadingdone', redraw)
-    const stopTime = this.playback.watch(this, 'draw', () => this.draw())
+    const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       stopTime()
       sizes.disconnect()

@@ -66,7 +66,7 @@ class FigurePicture extends LitElement {
     sizes.observe(this)
     const stopThemes = onThemeChange(redraw)
     document.fonts.addEventListener('loadingdone', redraw)
-    const stopTime = this.playback.watch(this, 'draw', () => this.draw())
+    const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       sizes.disconnect()
       stopThemes()

@@ -52,7 +52,7 @@ export class SlideFigure extends LitElement {
   constructor() {
     super()
     this.spoken = ''
-    this.playback.watch(this, 'write', () => this.tellLater())
+    this.playback.subscribe(this, 'write', () => this.tellLater())
   }
 
   get values(): Values {

@@ -1,11 +1,11 @@
 import type { AttributePart, ChildPart, PropertyPart } from 'lit'
 import { AsyncDirective, directive } from 'lit/async-directive.js'
-import type { Deed } from './onlookers.ts'
+import type { Phase } from './subscribers.ts'
 import type { Playback } from './playback.ts'
 
 /** One place in a template whose value follows the cursor on time, without anything else being rendered. */
 class AtNow extends AsyncDirective {
-  protected readonly deed: Deed = 'write'
+  protected readonly phase: Phase = 'write'
   private playback: Playback | undefined
   private of: ((time: number) => unknown) | undefined
   private shown: unknown
@@ -31,7 +31,7 @@ class AtNow extends AsyncDirective {
   }
 
   protected override reconnected(): void {
-    this.stop = this.playback!.watch(this.element!, this.deed, this.follow)
+    this.stop = this.playback!.subscribe(this.element!, this.phase, this.follow)
   }
 
   protected override disconnected(): void {
@@ -48,7 +48,7 @@ class AtNow extends AsyncDirective {
 
 /** For what moves rather than changes: it follows at every frame, and all else a few times a second. */
 class MovedAtNow extends AtNow {
-  protected override readonly deed = 'move'
+  protected override readonly phase = 'move'
 }
 
 /** What a function makes of the instant that a playback shows [s], to be read; up to date while it can be seen. */

@@ -2,8 +2,8 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { onSight } from '../../ui/sight.ts'
-import { Onlookers } from './onlookers.ts'
-import type { Deed } from './onlookers.ts'
+import { Subscribers } from './subscribers.ts'
+import type { Phase } from './subscribers.ts'
 
 /** What playback moves through. */
 interface Recording extends ReactiveControllerHost, HTMLElement {
@@ -23,7 +23,7 @@ const WRITING = 95
 
 /**
  * A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. Where it is
- * goes to those who watch it; its host is only updated when it begins or ceases to play.
+ * goes to its subscribers; its host is only updated when it begins or ceases to play.
  */
 export class Playback implements ReactiveController {
   playing = false
@@ -35,7 +35,7 @@ export class Playback implements ReactiveController {
   private before = 0
   private written = 0
   private readonly host: Recording
-  private readonly onlookers = new Onlookers()
+  private readonly subscribers = new Subscribers()
   private stopWatching = () => {}
 
   constructor(host: Recording) {
@@ -63,10 +63,10 @@ export class Playback implements ReactiveController {
 
   /**
    * Calls back whenever the cursor has moved; while it plays only if the element can be seen, and to `write` only a few
-   * times a second. Returns its undoing.
+   * times a second. Returns a function that unsubscribes.
    */
-  watch(element: Element, deed: Deed, listener: () => void): () => void {
-    return this.onlookers.add(element, deed, listener)
+  subscribe(element: Element, phase: Phase, listener: () => void): () => void {
+    return this.subscribers.add(element, phase, listener)
   }
 
   toggle(): void {
@@ -86,7 +86,7 @@ export class Playback implements ReactiveController {
     if (this.playing) this.host.requestUpdate()
     this.playing = false
     this.schedule()
-    this.onlookers.tell({ seen: false, eachFrame: false })
+    this.subscribers.notify({ seen: false, eachFrame: false })
   }
 
   /** Goes to an instant [s] and stays there. */
@@ -141,6 +141,6 @@ export class Playback implements ReactiveController {
     if (this.cursor >= this.host.duration) return this.toEnd()
     const isDue = now - this.written >= WRITING
     if (isDue) this.written = now
-    this.onlookers.tell({ seen: true, eachFrame: !isDue })
+    this.subscribers.notify({ seen: true, eachFrame: !isDue })
   }
 }

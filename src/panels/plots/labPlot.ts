@@ -101,7 +101,7 @@ class LabPlot extends LitElement {
     }
     const stopThemes = onThemeChange(redraw)
     document.fonts.addEventListener('loadingdone', redraw)
-    const stopTime = this.playback.watch(this, 'draw', () => this.drawCursor())
+    const stopTime = this.playback.subscribe(this, 'draw', () => this.drawCursor())
     this.stopWatching = () => {
       stopTime()
       for (const observer of [near, seen, this.sizes]) observer.disconnect()

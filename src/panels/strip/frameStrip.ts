@@ -67,7 +67,7 @@ class FrameStrip extends LitElement {
       this.kept = undefined
       this.requestUpdate()
     })
-    const stopTime = this.playback.watch(this, 'draw', () => this.follow())
+    const stopTime = this.playback.subscribe(this, 'draw', () => this.follow())
     this.stopWatching = () => {
       sizes.disconnect()
       stopThemes()
