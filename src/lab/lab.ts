@@ -8,8 +8,8 @@ import { EarlyPress } from './earlyPress.ts'
 import type { LabView, OpenPanels, Panels } from './labView.ts'
 import { modeButtons } from './modeButtons.ts'
 import { linkProblems, presetNote } from './notices.ts'
-import { Past } from './past.ts'
-import type { Moment } from './past.ts'
+import { LabHistory } from './labHistory.ts'
+import type { Snapshot } from './labHistory.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut } from './playback/shortcuts.ts'
 import type { Preset } from './presets/preset.ts'
@@ -17,7 +17,7 @@ import { sceneTabs } from './sceneTabs.ts'
 import { spreadFigure } from './spreadFigure.ts'
 import { changed, refusal } from './state/change.ts'
 import type { Change } from './state/change.ts'
-import { burstOf } from './state/history.ts'
+import { undoGroupOf } from './state/history.ts'
 import { opening } from './state/opening.ts'
 import { Simulation } from './state/simulation.ts'
 import type { Simulated } from './state/simulation.ts'
@@ -61,7 +61,7 @@ export abstract class Lab extends LitElement implements LabView {
   /** Undefined until it is loaded. */
   declare private panels: Panels | undefined
   readonly playback = new Playback(this)
-  readonly past = new Past(this)
+  readonly history = new LabHistory(this)
   private readonly earlyPress = new EarlyPress(this)
   private readonly simulation = new Simulation()
   private readonly sceneName = freshId('scene')
@@ -119,18 +119,18 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   open(state: LabState, problem: string): void {
-    const before = this.moment
+    const before = this.snapshot
     this.restored({ state, preset: undefined, problem })
-    if (this.hasUpdated) this.past.add(before, this.moment)
+    if (this.hasUpdated) this.history.add(before, this.snapshot)
   }
 
-  restore(moment: Moment): void {
-    this.restored(moment)
+  restore(snapshot: Snapshot): void {
+    this.restored(snapshot)
     this.address?.write(this.state)
   }
 
   readonly change = (change: Change): string => {
-    const before = this.moment
+    const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
     const preset = change.kind === 'scene' ? undefined : this.preset
     try {
@@ -139,16 +139,16 @@ export abstract class Lab extends LitElement implements LabView {
       if (!(error instanceof ExperimentError)) throw error
       return refusal(error, change, this.simulated.scene)
     }
-    this.past.add(before, this.moment, burstOf(change))
+    this.history.add(before, this.snapshot, undoGroupOf(change))
     if (change.kind === 'scene') this.playback.toEnd()
     if (change.kind === 'mode') this.panels?.glide.begin(drawn, this.recorded)
     return ''
   }
 
   readonly load = (preset: Preset): void => {
-    const before = this.moment
+    const before = this.snapshot
     this.restored({ ...preset.shown, preset })
-    this.past.add(before, this.moment)
+    this.history.add(before, this.snapshot)
     this.playback.toEnd()
     this.address?.push(this.state)
   }
@@ -162,12 +162,12 @@ export abstract class Lab extends LitElement implements LabView {
     this.selected = index
   }
 
-  private get moment(): Moment {
+  private get snapshot(): Snapshot {
     const { state, preset, linkProblem } = this
     return { state, preset, problem: linkProblem }
   }
 
-  private restored({ state, preset, problem }: Moment): void {
+  private restored({ state, preset, problem }: Snapshot): void {
     this.state = state
     this.preset = preset
     this.linkProblem = problem

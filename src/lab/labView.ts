@@ -1,7 +1,7 @@
 import type { ReactiveControllerHost } from 'lit'
 import type { PictureForces } from '../view/picture.ts'
 import type { Glide } from './glide.ts'
-import type { Past } from './past.ts'
+import type { LabHistory } from './labHistory.ts'
 import type { Playback } from './playback/playback.ts'
 import type { Preset } from './presets/preset.ts'
 import type { Change } from './state/change.ts'
@@ -17,7 +17,7 @@ export interface LabView {
   /** Makes a change; answers with what is wrong with it, or with nothing. */
   readonly change: (change: Change) => string
   /** Undo and redo. */
-  readonly past: Past
+  readonly history: LabHistory
   /** All that there are; none until they are loaded. */
   readonly presets: readonly Preset[]
   /** The preset that it came from, until its note is closed. */

@@ -6,10 +6,11 @@ import type { Preset } from './presets/preset.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */
 export function tools(lab: LabView) {
-  const { past } = lab
+  const { history } = lab
   return html`<div class="tools" role="group" aria-label="Lab">
-    ${button('undo', 'Undo (Ctrl+Z)', past.canUndo, () => past.undo())}
-    ${button('redo', 'Redo (Ctrl+Shift+Z)', past.canRedo, () => past.redo())} ${presetMenu(lab)}
+    ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
+    ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
+    ${presetMenu(lab)}
     <share-menu .lab=${lab}>
       <button type="button" class="toggle" aria-expanded="false">Share</button>
     </share-menu>

@@ -183,7 +183,7 @@ test('after two hundred changes of scene the memory is what it was', async () =>
       },
       { sceneIds, times },
     )
-  // The first rounds load what is loaded late, compile it, and fill the past, which keeps 200 changes.
+  // The first rounds load what is loaded late, compile it, and fill the history, which keeps 200 changes.
   await round(250)
   const before = await used()
   await round(200)

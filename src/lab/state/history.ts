@@ -4,8 +4,8 @@ import type { Change } from './change.ts'
 export class History<State> {
   private states: State[]
   private place = 0
-  private burst: string | undefined
-  private burstEnds = 0
+  private group: string | undefined
+  private groupEnds = 0
 
   constructor(first: State) {
     this.states = [first]
@@ -25,19 +25,19 @@ export class History<State> {
   }
 
   /**
-   * Puts a state after the present one; what had been undone is forgotten. States of one burst (a drag, a number being
+   * Puts a state after the present one; what had been undone is forgotten. States of one group (a drag, a number being
    * typed) follow each other closely and are undone in one go.
    *
-   * @param burst what the change belongs to, by name; undefined: nothing but itself
+   * @param group the undo group that the change belongs to, by name; undefined: a group of its own
    * @param now when it was made [ms]
    */
-  add(state: State, burst: string | undefined, now: number): void {
-    const isSame = burst !== undefined && burst === this.burst
-    const goesOn = isSame && now < this.burstEnds && this.place > 0
-    this.burst = burst
-    this.burstEnds = now + BURST
+  add(state: State, group: string | undefined, now: number): void {
+    const isSame = group !== undefined && group === this.group
+    const continues = isSame && now < this.groupEnds && this.place > 0
+    this.group = group
+    this.groupEnds = now + GROUP_PAUSE
     this.states.length = this.place + 1
-    if (goesOn) this.states[this.place] = state
+    if (continues) this.states[this.place] = state
     else if (this.states.push(state) > MOST_KEPT) this.states.shift()
     this.place = this.states.length - 1
   }
@@ -52,7 +52,7 @@ export class History<State> {
   }
 
   private go(by: -1 | 1): State | undefined {
-    this.burst = undefined
+    this.group = undefined
     const state = this.states[this.place + by]
     if (state !== undefined) this.place += by
     return state
@@ -60,15 +60,15 @@ export class History<State> {
 }
 
 /** Changes that follow each other within this time belong together [ms]. */
-const BURST = 700
+const GROUP_PAUSE = 700
 
 const MOST_KEPT = 200
 
 /**
- * The name of what a change may be part of: the dragging of a handle or a slider, the stepping of a number. Choices
+ * The undo group that a change belongs to: the dragging of a handle or a slider, the stepping of a number. Choices
  * stand for themselves.
  */
-export function burstOf(change: Change): string | undefined {
+export function undoGroupOf(change: Change): string | undefined {
   switch (change.kind) {
     case 'parameters':
       return Object.keys(change.values).join(' ')

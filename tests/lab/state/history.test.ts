@@ -37,7 +37,7 @@ describe('history', () => {
     expect(history.undo()).toBe(0)
   })
 
-  it('a burst does not go on across an undo', () => {
+  it('an undo group does not continue across an undo', () => {
     const history = new History(0)
     history.add(1, 'angle', 0)
     history.add(2, 'speed', 10)

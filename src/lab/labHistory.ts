@@ -4,21 +4,21 @@ import { History } from './state/history.ts'
 import type { LabState } from './state/state.ts'
 
 /** What a lab showed, and the preset that it had come from. */
-export interface Moment {
+export interface Snapshot {
   readonly state: LabState
   readonly preset: Preset | undefined
   /** What was wrong with what was asked for, if it could not be run. */
   readonly problem: string
 }
 
-/** What can be brought back to a moment. */
+/** What can be brought back to a snapshot. */
 interface Host extends ReactiveControllerHost, HTMLElement {
-  restore(moment: Moment): void
+  restore(snapshot: Snapshot): void
 }
 
 /** Undo and redo of a lab, by method and by key. */
-export class Past implements ReactiveController {
-  private history: History<Moment> | undefined
+export class LabHistory implements ReactiveController {
+  private states: History<Snapshot> | undefined
   /** Since when a finger or a mouse button is down [ms]. */
   private heldSince: number | undefined
   private presses = 0
@@ -50,36 +50,36 @@ export class Past implements ReactiveController {
   }
 
   get canUndo(): boolean {
-    return this.history?.canUndo ?? false
+    return this.states?.canUndo ?? false
   }
 
   get canRedo(): boolean {
-    return this.history?.canRedo ?? false
+    return this.states?.canRedo ?? false
   }
 
   /**
-   * Notes that the lab went from one moment to another.
+   * Records that the lab went from one snapshot to another.
    *
-   * @param burst what the change is part of, by name, if it may be part of something: all of a drag is undone in one go
+   * @param group the undo group that the change belongs to, if it belongs to one: all of a drag is undone at once
    */
-  add(before: Moment, after: Moment, burst?: string): void {
+  add(before: Snapshot, after: Snapshot, group?: string): void {
     const now = this.heldSince ?? performance.now()
-    const history = (this.history ??= new History(before))
+    const states = (this.states ??= new History(before))
     // It may have been set from outside in between.
-    if (history.present.state !== before.state) history.add(before, undefined, now)
-    history.add(after, burst && `${burst} ${this.presses}`, now)
+    if (states.present.state !== before.state) states.add(before, undefined, now)
+    states.add(after, group && `${group} ${this.presses}`, now)
   }
 
   undo(): void {
-    this.go(this.history?.undo())
+    this.go(this.states?.undo())
   }
 
   redo(): void {
-    this.go(this.history?.redo())
+    this.go(this.states?.redo())
   }
 
-  private go(moment: Moment | undefined): void {
-    if (moment) this.host.restore(moment)
+  private go(snapshot: Snapshot | undefined): void {
+    if (snapshot) this.host.restore(snapshot)
   }
 
   private readonly held = (): void => {
