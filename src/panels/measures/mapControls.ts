@@ -3,10 +3,10 @@ import { integrators, stoppings, timesteps } from '../../physics/index.ts'
 import { REFERENCE_RATE } from '../../measure/index.ts'
 import { menu } from '../../ui/menu.ts'
 import { segments } from '../../ui/segments.ts'
-import { choose } from '../../lab/state/change.ts'
+import { choose as chosenOf } from '../../lab/state/change.ts'
 import type { Method } from '../../lab/state/state.ts'
-import { parametersOf } from './mapWish.ts'
-import type { MapWish } from './mapWish.ts'
+import { parametersOf } from './mapChoice.ts'
+import type { MapChoice } from './mapChoice.ts'
 import { progress } from './measuring.ts'
 import type { Measuring } from './measuring.ts'
 
@@ -17,12 +17,12 @@ const shown = [
 
 /** What a map shows, to be chosen, and how far it is measured. */
 export function mapControls(
-  { experiment, of, parameter, method }: MapWish,
-  wish: (change: Partial<MapWish>) => void,
+  { experiment, of, parameter, method }: MapChoice,
+  choose: (change: Partial<MapChoice>) => void,
   measuring: Measuring,
 ) {
   const set = (values: Partial<Method>) => {
-    wish({ method: { ...method, ...values } })
+    choose({ method: { ...method, ...values } })
     return true
   }
   const parameters = Object.entries(parametersOf(experiment)).map(([id, { label }]) => {
@@ -33,7 +33,7 @@ export function mapControls(
       label: 'What the colours show',
       list: shown,
       chosen: of,
-      pick: ({ id }) => wish({ of: id }),
+      pick: ({ id }) => choose({ of: id }),
     })}
     <label class="choose"
       >Frame rate ×
@@ -42,7 +42,7 @@ export function mapControls(
         list: parameters,
         chosen: parameter,
         pick: (id) => {
-          wish({ parameter: id })
+          choose({ parameter: id })
           return true
         },
       })}
@@ -64,7 +64,7 @@ export function mapControls(
         label: 'Time step of the map',
         list: timesteps,
         chosen: method.timestep.kind,
-        pick: (id) => set({ timestep: choose('timestep', id, method.timestep) }),
+        pick: (id) => set({ timestep: chosenOf('timestep', id, method.timestep) }),
       })}
     </span>
     ${progress(measuring)}

@@ -11,7 +11,7 @@ import type { MapRequest } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
 import type { Cell, MapCells } from './mapCells.ts'
-import { parametersOf } from './mapWish.ts'
+import { parametersOf } from './mapChoice.ts'
 
 /** The parameter that a map is drawn over. */
 export function mappedOption({ experiment, parameter }: MapRequest): NumberOption {

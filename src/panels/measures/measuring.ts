@@ -8,11 +8,11 @@ import type { Part, Task } from './task.ts'
 const PAUSE = 120
 
 /**
- * Has measured what an element shows: the newest wish, while the element can be seen, and not again once it is done.
+ * Measures what an element shows: the newest request, while the element can be seen, and not again once it is done.
  * The element is updated whenever something is heard.
  */
 export class Measuring implements ReactiveController {
-  /** How much of the wish is done, 0 … 1. */
+  /** How much of the request is done, 0 … 1. */
   done = 1
   /** Why it can't be measured, for people. */
   problem = ''

@@ -14,8 +14,8 @@ import { cellUnder, mapDrawing, mapFrame, placeOf } from './mapDrawing.ts'
 import type { MapFrame, MapPlace } from './mapDrawing.ts'
 import { isDark, keepPainted } from './mapImage.ts'
 import { mapTable } from './mapTable.ts'
-import { mapRequest, parameterFor } from './mapWish.ts'
-import type { MapWish } from './mapWish.ts'
+import { mapRequest, parameterFor } from './mapChoice.ts'
+import type { MapChoice } from './mapChoice.ts'
 import { cellWords, limitWords, placeText, summary } from './mapWords.ts'
 import { Measuring } from './measuring.ts'
 import { areaSize, arrows, pictureChoice } from './pictureArea.ts'
@@ -28,7 +28,7 @@ import type { PictureChoice } from './pictureArea.ts'
  * - `look`: the runner's, for the mark that says where it is
  * - `load`: called with the run that the reader wants to see
  */
-class RateMap extends LitElement implements MapWish {
+class RateMap extends LitElement implements MapChoice {
   static override properties = {
     experiment: { attribute: false },
     look: { attribute: false },
@@ -125,10 +125,10 @@ class RateMap extends LitElement implements MapWish {
         >`
   }
 
-  private readonly change = (wish: Partial<MapWish>): void => {
-    Object.assign(this, wish)
+  private readonly change = (choice: Partial<MapChoice>): void => {
+    Object.assign(this, choice)
     // Its place would be that of another value.
-    if (wish.parameter) this.cross.choose(undefined)
+    if (choice.parameter) this.cross.choose(undefined)
   }
 
   private here() {

@@ -4,8 +4,8 @@ import type { MapRequest } from '../../measure/index.ts'
 import type { Method } from '../../lab/state/state.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
-/** What a map is to show. */
-export interface MapWish {
+/** What the reader has chosen to see in a map. */
+export interface MapChoice {
   /** The run whose scene it is of. */
   readonly experiment: ResolvedExperiment
   readonly of: MapRequest['of']
@@ -26,14 +26,14 @@ export function parametersOf({ scene }: Pick<Experiment, 'scene'>): Scene['param
   return parameters
 }
 
-/** The parameter that the map of a run's scene is drawn over: the one that was wished for, where the scene has it. */
-export function parameterFor(experiment: ResolvedExperiment, wished: string): string {
+/** The parameter that the map of a run's scene is drawn over: the one that was chosen, where the scene has it. */
+export function parameterFor(experiment: ResolvedExperiment, chosen: string): string {
   const names = Object.keys(parametersOf(experiment))
-  return [wished, ...telling].find((name) => names.includes(name)) ?? names[0]!
+  return [chosen, ...telling].find((name) => names.includes(name)) ?? names[0]!
 }
 
-/** The map that is wished for. */
-export function mapRequest({ experiment, of, parameter, method }: MapWish): MapRequest {
+/** What is to be measured for it. */
+export function mapRequest({ experiment, of, parameter, method }: MapChoice): MapRequest {
   const { slider, min } = parametersOf(experiment)[parameter]!
   return {
     experiment: { ...sharedExperiment(experiment as Experiment), ...method } as Experiment,
