@@ -2,7 +2,7 @@ import { Slices } from './slices.ts'
 import type { Report } from './slices.ts'
 import type { Task } from './task.ts'
 
-/** Without a word for so long, a worker that has something to do is taken for dead [ms]. A slice is a thousandth of it. */
+/** A worker that is silent this long while it has a task has failed [ms]. A slice takes a thousandth of it. */
 const PATIENCE = 8000
 
 /** What is said to the reader when measuring did not go as it should. */
@@ -13,13 +13,13 @@ const words = {
 
 /**
  * Measures one task at a time, the newest: in a worker, or where none can be made (from a file, or where a page may
- * have none) in slices of the page's own time. A worker that dies is replaced once for each task.
+ * have none) in slices of the page's own time. A worker that fails is replaced once for each task.
  */
 export class Measurer {
   private worker: Worker | undefined
   /** Instead of a worker. */
   private slices: Slices | undefined
-  /** The worker has been heard of. */
+  /** The worker has answered. */
   private ready = false
   private replaced = false
   private id = 0
@@ -38,7 +38,7 @@ export class Measurer {
     return this.task !== undefined
   }
 
-  /** Begins a task in the place of what is under way, of which nothing more is heard. */
+  /** Replaces the current task; its results are dropped. */
   measure(task: Task, listener: (report: Report) => void): void {
     this.replaced = false
     this.notice('')
@@ -47,7 +47,7 @@ export class Measurer {
     this.begin()
   }
 
-  /** Stops what is under way. */
+  /** Stops the current task. */
   cancel(): void {
     if (!this.task) return
     this.task = undefined
@@ -68,13 +68,13 @@ export class Measurer {
   private begin(): void {
     const { task } = this
     const id = ++this.id
-    if (!this.slices && !this.worker) this.hire()
+    if (!this.slices && !this.worker) this.startWorker()
     if (this.slices) return this.slices.start(task, (report) => this.heard(id, report))
     this.worker?.postMessage({ id, task })
     this.wait()
   }
 
-  private hire(): void {
+  private startWorker(): void {
     this.ready = false
     try {
       // In one piece, by which the build knows a worker.
@@ -108,7 +108,7 @@ export class Measurer {
     this.timer = setTimeout(() => this.lost(), PATIENCE)
   }
 
-  /** A worker that never was is not asked for again; one that was there is replaced. */
+  /** A worker that never answered is not started again; one that did is replaced. */
   private lost(): void {
     clearTimeout(this.timer)
     this.drop()
