@@ -67,7 +67,7 @@ describe.each(figures)('$id', ({ id, title, load }) => {
   test('its room is known before it is there', async () => {
     const figure = await load()
     expect(frameOf(figure)).toMatch(
-      /^--shape-wide: [\d.]+; --below-wide: [\d.]+rem(; --guest-wide: \d+rem)?; --shape-narrow: [\d.]+; --below-narrow: [\d.]+rem(; --guest-narrow: \d+rem)?$/,
+      /^--shape-wide: [\d.]+; --below-wide: [\d.]+rem(; --hosted-wide: \d+rem)?; --shape-narrow: [\d.]+; --below-narrow: [\d.]+rem(; --hosted-narrow: \d+rem)?$/,
     )
     expect(heightOf(figure, 760)).toBeGreaterThan(150)
     const { runs, values } = openingView(figure)

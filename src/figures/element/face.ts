@@ -17,22 +17,22 @@ export interface Face {
   readonly playback: Playback
   readonly spoken: string
   /** What takes the place of the pictures. */
-  readonly guest: HTMLElement | undefined
+  readonly hosted: HTMLElement | undefined
   readonly lit: string | undefined
   readonly set: (values: Readonly<Record<string, unknown>>) => void
 }
 
 /** A figure: its pictures, the controls below them, the outcome. */
 export function face(shown: Face) {
-  const { figure, values, runs, playback, spoken, guest } = shown
+  const { figure, values, runs, playback, spoken, hosted } = shown
   const says = atNow(playback, (time) => figure.says(values, runs, time))
   return html`<div
       part="pictures"
-      class="pictures ${guest ? 'hosted' : ''}"
+      class="pictures ${hosted ? 'hosted' : ''}"
       @change=${hush}
       @input=${hush}
     >
-      ${guest ? withHeading(figure, guest) : pictures(shown)}
+      ${hosted ? withHeading(figure, hosted) : pictures(shown)}
     </div>
     <div class="below" @change=${hush} @input=${hush}>
       ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
@@ -41,10 +41,10 @@ export function face(shown: Face) {
     </div>`
 }
 
-/** A guest has headings of its own, under one of the figure’s. */
-function withHeading({ title }: Figure, guest: HTMLElement) {
+/** A hosted element has headings of its own, under one of the figure’s. */
+function withHeading({ title }: Figure, hosted: HTMLElement) {
   return html`<h3 class="visually-hidden">${title}</h3>
-    ${guest}`
+    ${hosted}`
 }
 
 function pictures({ figure, values, runs, playback, lit, set }: Face) {

@@ -12,7 +12,7 @@ export const live = {
   frameOf,
   initialValues,
   /** The element that takes the place of a figure's pictures, if one does. */
-  async guest({ hosted }: Figure): Promise<HTMLElement | undefined> {
+  async hostedElement({ hosted }: Figure): Promise<HTMLElement | undefined> {
     if (!hosted) return undefined
     await hosted.define()
     return Object.assign(document.createElement(hosted.tag), hosted.properties)

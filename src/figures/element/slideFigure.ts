@@ -42,7 +42,7 @@ export class SlideFigure extends LitElement {
   readonly playback = new Playback(this)
   private figure: Figure | undefined
   private live: Live | undefined
-  private guest: HTMLElement | undefined
+  private hosted: HTMLElement | undefined
   private waking: Promise<void> | undefined
   private asked: Record<string, unknown> = {}
   private readonly cache = new RunCache()
@@ -114,8 +114,8 @@ export class SlideFigure extends LitElement {
   }
 
   override render() {
-    const { live, figure, view, playback, spoken, guest, lit } = this
-    return live!.face({ figure: figure!, ...view!, playback, spoken, guest, lit, set: this.set })
+    const { live, figure, view, playback, spoken, hosted, lit } = this
+    return live!.face({ figure: figure!, ...view!, playback, spoken, hosted, lit, set: this.set })
   }
 
   private wake(): Promise<void> {
@@ -133,7 +133,7 @@ export class SlideFigure extends LitElement {
       throw new RangeError(`There is no figure “${this.name ?? ''}”. There are: ${known}.`)
     }
     const [{ live }, figure] = await Promise.all([import('./live.ts'), entry.load()])
-    this.guest = await live.guest(figure)
+    this.hosted = await live.hostedElement(figure)
     if (this.name !== entry.id) return
     const asked = this.asked
     this.figure = figure

@@ -22,8 +22,8 @@ const LINES = { wide: 3, narrow: 5 }
 export function frameOf(figure: Figure): string {
   const room = (width: 'wide' | 'narrow') => {
     const shape = figure.panels.reduce((sum, panel) => sum + panel.shape[width], 0)
-    const guest = figure.hosted ? `; --guest-${width}: ${figure.hosted.room[width]}rem` : ''
-    return `--shape-${width}: ${Number((1 / shape).toFixed(4))}; --below-${width}: ${below(figure, width)}rem${guest}`
+    const hosted = figure.hosted ? `; --hosted-${width}: ${figure.hosted.room[width]}rem` : ''
+    return `--shape-${width}: ${Number((1 / shape).toFixed(4))}; --below-${width}: ${below(figure, width)}rem${hosted}`
   }
   return `${room('wide')}; ${room('narrow')}`
 }
