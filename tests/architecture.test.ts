@@ -172,7 +172,7 @@ test.each([
   ['lab/state/a.ts', "import { html } from 'lit'", false],
   ['lab/state/a.ts', "import type { Picture } from '../../view/picture.ts'", false],
   ['lab/state/a.ts', "import type { Lab } from '../lab.ts'", false],
-  ['lab/playback/a.ts', "import { onSight } from '../../ui/sight.ts'", true],
+  ['lab/playback/a.ts', "import { onVisible } from '../../ui/sight.ts'", true],
   ['lab/playback/a.ts', "import type { LabState } from '../state/state.ts'", false],
   ['lab/a.ts', "import { Playback } from './playback/playback.ts'", true],
   ['lab/a.ts', "const late = () => import('../panels/instruments.ts')", false],

@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
-import { onSight } from '../ui/sight.ts'
+import { onVisible } from '../ui/visibility.ts'
 import { themeChanged } from '../ui/theme.ts'
 import { styles } from './styles.ts'
 
@@ -45,7 +45,7 @@ export class Shadow implements ReactiveController {
     this.follow()
     for (const type of printing) addEventListener(type, this.follow)
     // What is not displayed, in a closed tab of the page, has no transitions: it looks again when it is shown.
-    this.stopWatching = onSight(this.host, () => this.follow())
+    this.stopWatching = onVisible(this.host, () => this.follow())
   }
 
   hostDisconnected(): void {

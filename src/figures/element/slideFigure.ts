@@ -1,7 +1,7 @@
 import { LitElement } from 'lit'
 import type { PropertyValues } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
-import { onNear } from '../../ui/sight.ts'
+import { onNear } from '../../ui/visibility.ts'
 import { Playback } from '../../lab/playback/playback.ts'
 import { RunCache } from '../../lab/state/runCache.ts'
 import { figures } from '../index.ts'

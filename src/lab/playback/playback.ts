@@ -1,7 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
 import { rowAt } from '../../view/timeline.ts'
-import { onSight } from '../../ui/sight.ts'
+import { onVisible } from '../../ui/visibility.ts'
 import { Subscribers } from './subscribers.ts'
 import type { Phase } from './subscribers.ts'
 
@@ -44,7 +44,7 @@ export class Playback implements ReactiveController {
   }
 
   hostConnected(): void {
-    this.stopWatching = onSight(this.host, (isSeen) => {
+    this.stopWatching = onVisible(this.host, (isSeen) => {
       this.seen = isSeen
       this.schedule()
     })

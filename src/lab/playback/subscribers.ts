@@ -1,4 +1,4 @@
-import { onSight } from '../../ui/sight.ts'
+import { onVisible } from '../../ui/visibility.ts'
 
 /**
  * The phases of an update, in this order: drawing on a canvas, moving a part of the page, writing text. A font that is set
@@ -34,7 +34,7 @@ export class Subscribers {
     const subscriber: Subscriber = {
       listeners: { draw: new Set(), move: new Set(), write: new Set() },
       seen: false,
-      stopWatching: onSight(element, (isSeen) => (subscriber.seen = isSeen)),
+      stopWatching: onVisible(element, (isSeen) => (subscriber.seen = isSeen)),
     }
     this.all.set(element, subscriber)
     return subscriber

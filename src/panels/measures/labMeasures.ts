@@ -1,5 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
-import { onNear } from '../../ui/sight.ts'
+import { onNear } from '../../ui/visibility.ts'
 import type { LabView } from '../../lab/labView.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit'
 import type { LitElement, ReactiveController } from 'lit'
-import { onSight } from '../../ui/sight.ts'
+import { onVisible } from '../../ui/visibility.ts'
 import { Measurer } from './measurer.ts'
 import type { Part, Task } from './task.ts'
 
@@ -30,7 +30,7 @@ export class Measuring implements ReactiveController {
   private key = ''
   private timer: ReturnType<typeof setTimeout> | undefined
   private frame: number | undefined
-  private inSight = false
+  private isVisible = false
   private stopWatching = () => {}
 
   /** `take` is given what was measured; `fresh` says that it is the first of its task. */
@@ -44,8 +44,8 @@ export class Measuring implements ReactiveController {
   }
 
   hostConnected(): void {
-    this.stopWatching = onSight(this.host, (isSeen) => {
-      this.inSight = isSeen
+    this.stopWatching = onVisible(this.host, (isSeen) => {
+      this.isVisible = isSeen
       this.look()
     })
     document.addEventListener('visibilitychange', this.look)
@@ -55,7 +55,7 @@ export class Measuring implements ReactiveController {
     this.stopWatching()
     document.removeEventListener('visibilitychange', this.look)
     clearTimeout(this.timer)
-    this.inSight = false
+    this.isVisible = false
     this.measurer.close()
   }
 
@@ -95,7 +95,7 @@ export class Measuring implements ReactiveController {
 
   /** What nobody sees is not measured. */
   private readonly look = (): void => {
-    const seen = this.inSight && !document.hidden
+    const seen = this.isVisible && !document.hidden
     if (!seen) this.measurer.cancel()
     else if (!this.measurer.busy) this.later()
   }
@@ -115,7 +115,7 @@ export class Measuring implements ReactiveController {
 
   private begin(): void {
     const { task } = this
-    if (!task || !this.busy || !this.inSight || document.hidden) return
+    if (!task || !this.busy || !this.isVisible || document.hidden) return
     let fresh = true
     this.measurer.measure(task, ({ parts, done, problem }) => {
       this.done = done

@@ -1,7 +1,7 @@
 type Seen = (isSeen: boolean) => void
 
 /** One observer for everything on the page that asks the same. */
-class Sight {
+class Visibility {
   // Weak, since an element may watch itself for as long as it lives.
   private readonly listeners = new WeakMap<Element, Set<Seen>>()
   private made: IntersectionObserver | undefined
@@ -35,8 +35,8 @@ class Sight {
   }
 }
 
-/** Calls back when an element comes into the window and when it leaves. Returns its undoing. */
-export const onSight = new Sight('0px').watch
+/** Calls back when an element enters the window and when it leaves. Returns a function that unsubscribes. */
+export const onVisible = new Visibility('0px').watch
 
 /** The same for the window and as much again above and below: time to make ready what will be seen. */
-export const onNear = new Sight('100% 0px').watch
+export const onNear = new Visibility('100% 0px').watch
