@@ -56,7 +56,7 @@ function pictures({ figure, values, runs, playback, lit, set }: Face) {
         .controls=${figure.controls}
         .view=${view}
         .values=${values}
-        .shining=${lit}
+        .highlighted=${lit}
         .playback=${playback}
         .set=${set}
         .description=${i === 0 ? figure.pictured : ''}

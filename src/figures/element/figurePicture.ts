@@ -15,7 +15,7 @@ import { quantityText } from './controls.ts'
  *
  * - `panel`: what draws it
  * - `view`: what it shows at an instant; `values`: of the controls, a new object whenever it shows something else
- * - `shining`: the arrow of the view that is lit
+ * - `highlighted`: the arrow of the view that is lit
  * - `controls`, `set`: what grips change
  * - `playback`: the instant
  * - `description`: what there is to see, in words
@@ -25,7 +25,7 @@ class FigurePicture extends LitElement {
     panel: { attribute: false },
     values: { attribute: false },
     description: { attribute: false },
-    shining: { attribute: false },
+    highlighted: { attribute: false },
     held: { state: true },
     lit: { state: true },
   }
@@ -34,7 +34,7 @@ class FigurePicture extends LitElement {
   declare values: Values
   declare description: string
   /** Of the view: it is drawn anew when this changes. */
-  declare shining: string | undefined
+  declare highlighted: string | undefined
   declare controls: Controls
   declare playback: Playback
   declare view: (time: number) => View
