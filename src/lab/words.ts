@@ -11,12 +11,12 @@ export function describe(simulated: Simulated, time: number): string {
   const sentences = visible.map((runner) => {
     const row = rowAt(runner.trajectory, time)
     const distance = Math.abs(runner.trajectory.drawnS[row]! - start)
-    return `${runner.name}: ${standing(runner, row)} ${place(distance)}, ${gap(errorAt(runner.trajectory, exact, row), travelled)}.`
+    return `${runner.name}: ${stateText(runner, row)} ${place(distance)}, ${gap(errorAt(runner.trajectory, exact, row), travelled)}.`
   })
   return [`${scene.label} after ${seconds(time)}.`, ...sentences].join(' ')
 }
 
-function standing({ trajectory }: SimulatedRunner, row: number): string {
+function stateText({ trajectory }: SimulatedRunner, row: number): string {
   const { kind, time } = trajectory.outcome
   const over = time <= trajectory.stateTime[row]!
   if (kind === 'at-rest' && over) return 'stopped at'

@@ -32,7 +32,7 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
   const { exact, time, duration, runners, parameters } = picture
   const { from, to } = layout.extent
   const start = parameters.position!
-  const standing = (s: number) => ({
+  const placed = (s: number) => ({
     body: bodyAt(clamp(s, from, to), picture, layout, projection),
     distance: Math.abs(s - start),
     beyond: s < from - 1e-9 ? (-1 as const) : s > to + 1e-9 ? (1 as const) : (0 as const),
@@ -43,7 +43,7 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
     const row = rowAt(runner.trajectory, time)
     const end = endOf(runner.trajectory)
     return {
-      ...standing(drawnS[row]!),
+      ...placed(drawnS[row]!),
       distance: Math.abs(goal[row]! - start),
       last: clamp(goal[goal.length - 1]!, from, to),
       end: end && row >= end.row ? end : undefined,
@@ -53,7 +53,7 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
     }
   })
   const { last } = exactExtent(exact, duration)
-  return [...simulated, { ...standing(exact(time, { s: 0, v: 0 }).s), last }]
+  return [...simulated, { ...placed(exact(time, { s: 0, v: 0 }).s), last }]
 }
 
 /** A block, or a ball, at a place of the track. */

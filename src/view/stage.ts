@@ -25,7 +25,7 @@ export class Stage {
   /** What the setting shown was made under. */
   private made: { readonly frozen: boolean; readonly ratio: number } | undefined
   /** What time changes in the picture, as it was drawn last; undefined where the next is to be drawn in any case. */
-  private standing: readonly number[] | undefined
+  private cacheKey: readonly number[] | undefined
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     // A canvas that gives no context is a browser out of memory: nothing can be shown then.
@@ -42,9 +42,9 @@ export class Stage {
     const ratio = window.devicePixelRatio
     const isKept = made?.frozen === frozen && made.ratio === ratio
     if (isKept && shown && isSameButTime(picture, shown.picture)) {
-      const before = this.standing
-      this.standing = this.standingOf(picture)
-      if (before && this.standing?.every((each, i) => Object.is(each, before[i]))) return
+      const before = this.cacheKey
+      this.cacheKey = this.cacheKeyOf(picture)
+      if (before && this.cacheKey?.every((each, i) => Object.is(each, before[i]))) return
     } else {
       const { clientWidth: width, clientHeight: height } = this.canvas
       if (width === 0 || height === 0) return
@@ -52,7 +52,7 @@ export class Stage {
       this.palette = this.reader.read()
       this.shown = settingOf(picture, this.layoutOf(picture, width, height))
       this.made = { frozen, ratio }
-      this.standing = undefined
+      this.cacheKey = undefined
     }
     paint(this.context, picture, this.shown!, this.palette!, this.backdrop)
   }
@@ -73,10 +73,10 @@ export class Stage {
     return this.shown ? dragged(id, { x, y }, this.shown.picture, this.shown.layout) : {}
   }
 
-  private standingOf(picture: Picture): number[] | undefined {
+  private cacheKeyOf(picture: Picture): number[] | undefined {
     // Arrows change with more than that.
     if (picture.forces) return undefined
-    return [...standingAt(picture), this.backdrop.dotsAt(picture.time)]
+    return [...cacheKeyAt(picture), this.backdrop.dotsAt(picture.time)]
   }
 
   private layoutOf(picture: Picture, width: number, height: number): Layout {
@@ -94,7 +94,7 @@ export class Stage {
  * All that time changes in the blocks of a picture, as numbers: at two times with the same numbers they look the same.
  * Forces are not among them.
  */
-function standingAt({ runners, exact, time }: Picture): number[] {
+function cacheKeyAt({ runners, exact, time }: Picture): number[] {
   const numbers = [exact(time, { s: 0, v: 0 }).s]
   for (const { trajectory, goal } of runners) {
     const row = rowAt(trajectory, time)

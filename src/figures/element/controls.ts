@@ -39,14 +39,14 @@ export function controlsOf({ figure, values, set }: Controlled) {
 type Pick = (value: Value) => void
 
 /** What a control is called in the page, and whether it changes nothing at the moment. */
-interface Standing {
+interface ControlState {
   readonly id: string
   readonly isIdle: boolean
 }
 
-function oneOf(control: Control, standing: Standing, value: Value, pick: Pick) {
-  if (control.type === 'number') return slider(control, standing, value as number, pick)
-  if (control.type === 'choice') return choice(control, standing, value as string, pick)
+function oneOf(control: Control, state: ControlState, value: Value, pick: Pick) {
+  if (control.type === 'number') return slider(control, state, value as number, pick)
+  if (control.type === 'choice') return choice(control, state, value as string, pick)
   if (control.type === 'switch') return toggle(control, value as boolean, pick)
   return html`<frames-recorder .pick=${pick}></frames-recorder>`
 }
@@ -57,7 +57,7 @@ export function quantityText({ unit = '' }: NumberControl, value: number): strin
   return plain(value) + gap + unit
 }
 
-function slider(control: NumberControl, { id, isIdle }: Standing, value: number, pick: Pick) {
+function slider(control: NumberControl, { id, isIdle }: ControlState, value: number, pick: Pick) {
   const { label, symbol, from, to, step } = control
   const text = quantityText(control, value)
   const widest = Math.max(quantityText(control, to).length, quantityText(control, to - step).length)
@@ -83,7 +83,7 @@ function slider(control: NumberControl, { id, isIdle }: Standing, value: number,
 
 function choice(
   { label, options }: ChoiceControl,
-  { id, isIdle }: Standing,
+  { id, isIdle }: ControlState,
   value: string,
   pick: Pick,
 ) {

@@ -11,9 +11,8 @@ export function noteOf({ name, trajectory }: SimulatedRunner, now: number): stri
   const row = rowAt(trajectory, now)
   const late = time[row]! - stateTime[row]!
   const size = `${fixed(Math.abs(late), 2)}\u2009s`
-  const standing =
-    Math.abs(late) < 0.005 ? 'on time' : late > 0 ? `${size} behind` : `${size} ahead`
-  return `${name}: physics is ${standing}`
+  const lead = Math.abs(late) < 0.005 ? 'on time' : late > 0 ? `${size} behind` : `${size} ahead`
+  return `${name}: physics is ${lead}`
 }
 
 /** The same as its ticks, in words. */
