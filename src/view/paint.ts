@@ -5,7 +5,7 @@ import { drawAngle } from './angleArc.ts'
 import type { Backdrop } from './backdrop.ts'
 import { strokeBody } from './body.ts'
 import { drawCaptions, placeCaptions } from './captions.ts'
-import { drawFigures, figureBoxes } from './figures.ts'
+import { drawHandleNumbers, numberBoxes } from './handleNumbers.ts'
 import { drawForces, forceArrows } from './forces.ts'
 import { drawHandles } from './handles.ts'
 import type { Palette } from './palette.ts'
@@ -25,7 +25,7 @@ export function paint(
   palette: Palette,
   backdrop: Pick<Backdrop, 'draw'>,
 ): void {
-  const { layout, projection, handles, figures } = setting
+  const { layout, projection, handles, numbers } = setting
   const { scene, time } = picture
   const actors = actorsOf(picture, layout, projection)
   const words = backdrop.draw(context, setting, palette, time)
@@ -41,7 +41,7 @@ export function paint(
   const physics = selected && physicsOf(selected, picture, layout, projection)
   if (physics) drawOutline(context, physics, palette)
   drawPush(context, picture, layout, palette)
-  const boxes = figureBoxes(context, figures, layout, palette)
+  const boxes = numberBoxes(context, numbers, layout, palette)
   const room = [...startRoom(picture, layout, projection), ...boxes]
   for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))
   const place = (obstacles: readonly Box[]) =>
@@ -57,6 +57,6 @@ export function paint(
   drawForces(context, arrows, palette)
   // An arrow would hide the angle's number.
   if (arrows[0] && words[0]) drawAngle(context, picture, layout, projection, palette)
-  drawFigures(context, figures, boxes, layout, falls, palette)
+  drawHandleNumbers(context, numbers, boxes, layout, falls, palette)
   drawHandles(context, handles, picture, palette)
 }

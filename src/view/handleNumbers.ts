@@ -9,30 +9,34 @@ import type { Picture } from './picture.ts'
 import type { Projection, Spot } from './projection.ts'
 import { viewOf } from './scenes.ts'
 
-/** A figure next to a handle. */
-export interface Figure {
+/** A number next to a handle. */
+export interface HandleNumber {
   readonly text: string
   /** Where its middle stands. */
   readonly at: Point
   readonly held: boolean
 }
 
-/** The figures that stand next to handles: the speed always, what is held or pointed at too. */
-export function figuresOf(picture: Picture, layout: Layout, projection: Projection): Figure[] {
+/** The numbers that stand next to handles: the speed always, what is held or pointed at too. */
+export function handleNumbersOf(
+  picture: Picture,
+  layout: Layout,
+  projection: Projection,
+): HandleNumber[] {
   const { scene, parameters, held, lit } = picture
   const { falls } = viewOf(scene)
   const spot = projection.at(parameters.position!)
-  const figures: Figure[] = []
+  const numbers: HandleNumber[] = []
   const v = parameters.speed!
   if (v !== 0 || held === 'push' || lit === 'push') {
     const tip = handleAt('push', picture, layout)
     const at = falls ? moved(tip, spot.out, 40) : moved(tip, clear(spot, 24), 1)
-    figures.push({ text: speed(Math.abs(v)), at, held: held === 'push' })
+    numbers.push({ text: speed(Math.abs(v)), at, held: held === 'push' })
   }
   if (held === 'place') {
     const middle = handleAt('place', picture, layout)
     const at = moved(middle, clear(spot, layout.block / 2 + 20), 1)
-    figures.push({
+    numbers.push({
       text: place(parameters.position!, 2 / layout.camera.scale),
       at: falls ? moved(middle, spot.out, layout.block / 2 + 34) : at,
       held: true,
@@ -40,24 +44,24 @@ export function figuresOf(picture: Picture, layout: Layout, projection: Projecti
   }
   if (held === 'tilt' && 'angle' in parameters) {
     const at = moved(handleAt('tilt', picture, layout), { x: 0, y: -1 }, 28)
-    figures.push({ text: degrees(parameters.angle!), at, held: true })
+    numbers.push({ text: degrees(parameters.angle!), at, held: true })
   }
-  return figures
+  return numbers
 }
 
-/** A distance away from the ground, more sideways than upwards: a figure is wider than it is high. */
+/** A distance away from the ground, more sideways than upwards: a number is wider than it is high. */
 function clear({ out }: Spot, distance: number): Point {
   return { x: 1.9 * out.x * distance, y: out.y * distance }
 }
 
 /** The room that each takes, on the canvas. */
-export function figureBoxes(
+export function numberBoxes(
   context: CanvasRenderingContext2D,
-  figures: readonly Figure[],
+  numbers: readonly HandleNumber[],
   { width, height }: Layout,
   palette: Palette,
 ): Box[] {
-  return figures.map(({ text, at, held }) => {
+  return numbers.map(({ text, at, held }) => {
     setFont(context, held, width, palette)
     const half = widthOf(context, text) / 2 + 7
     const x = clamp(at.x, half + 4, width - half - 4)
@@ -66,15 +70,15 @@ export function figureBoxes(
 }
 
 /** Writes each into its box. */
-export function drawFigures(
+export function drawHandleNumbers(
   context: CanvasRenderingContext2D,
-  figures: readonly Figure[],
+  numbers: readonly HandleNumber[],
   boxes: readonly Box[],
   { width }: Layout,
   vertical: boolean,
   palette: Palette,
 ): void {
-  figures.forEach(({ text, held }, i) => {
+  numbers.forEach(({ text, held }, i) => {
     const { left, right, top, bottom } = boxes[i]!
     if (held) {
       context.beginPath()
