@@ -3,14 +3,14 @@
 export type Align = 'left' | 'center' | 'right'
 
 /** A text as it is set in a font. */
-interface Setting {
+interface SetText {
   readonly width: number
   /** What is drawn in one piece, and how far from the left [px]. */
   readonly parts: readonly { readonly text: string; readonly x: number }[]
 }
 
 /** By font and text: measuring takes longer than drawing. */
-const settings = new Map<string, Setting>()
+const settings = new Map<string, SetText>()
 const MOST_SETTINGS = 2000
 
 /** To be called when a font has been loaded: texts may have become wider or narrower. */
@@ -54,7 +54,7 @@ export function write(
   for (const part of parts) context.fillText(part.text, left + part.x, y)
 }
 
-function settingOf(context: CanvasRenderingContext2D, text: string, font: string): Setting {
+function settingOf(context: CanvasRenderingContext2D, text: string, font: string): SetText {
   const key = `${font} ${text}`
   let setting = settings.get(key)
   if (!setting) {
@@ -64,7 +64,7 @@ function settingOf(context: CanvasRenderingContext2D, text: string, font: string
   return setting
 }
 
-function set(context: CanvasRenderingContext2D, text: string): Setting {
+function set(context: CanvasRenderingContext2D, text: string): SetText {
   const measured = (part: string) => context.measureText(part).width
   const width = measured(text.replace(/\d/g, '0'))
   // A font whose digits are all as wide does it by itself.

@@ -5,7 +5,7 @@ import type { Graph } from '../chart/graph.ts'
 import { fixed } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 
 /** As far as the axis of time goes [s]. */
 const END = 2
@@ -122,13 +122,16 @@ function signed(value: number): string {
   return value > 0 && /[1-9]/.test(text) ? `+${text}` : text
 }
 
-function graphOf({ width, height }: Pick<Surface, 'width' | 'height'>, run: Trajectory): Graph {
+function graphOf(
+  { width, height }: Pick<DrawingSurface, 'width' | 'height'>,
+  run: Trajectory,
+): Graph {
   const box = { left: 46, right: width - 24, top: 34, bottom: height - 36 }
   const top = exact(run.experiment, END).v
   return graphIn(box, [0, END], [0, 1.02 * top])
 }
 
-function draw(surface: Surface, { values, runs }: View<AreaValues>): void {
+function draw(surface: DrawingSurface, { values, runs }: View<AreaValues>): void {
   const { context, width, height, palette } = surface
   const run = runs[0]!
   context.fillStyle = palette.sheet

@@ -6,7 +6,7 @@ import type { Graph } from '../chart/graph.ts'
 import { fixed, roughMetres, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 
 const DURATION = 1.5
 const scene = {
@@ -93,7 +93,7 @@ function near(fps: number) {
   }
 }
 
-function drawWhole(surface: Surface, { values, runs }: View<StopValues>): void {
+function drawWhole(surface: DrawingSurface, { values, runs }: View<StopValues>): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)
@@ -109,7 +109,7 @@ function drawWhole(surface: Surface, { values, runs }: View<StopValues>): void {
   drawRun(surface, graph, runs[0]!, 2)
 }
 
-function drawNear(surface: Surface, { values, runs }: View<StopValues>): void {
+function drawNear(surface: DrawingSurface, { values, runs }: View<StopValues>): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)
@@ -129,12 +129,17 @@ function drawNear(surface: Surface, { values, runs }: View<StopValues>): void {
   write(context, 'at rest', graph.x(outcome.time), graph.y(0) - 12, { halo: palette.sheet })
 }
 
-function boxIn({ width, height }: Surface): Box {
+function boxIn({ width, height }: DrawingSurface): Box {
   return { left: 52, right: width - 22, top: 28, bottom: height - 28 }
 }
 
 /** The exact velocity, and a run's, which jumps at every frame. */
-function drawRun({ context, palette }: Surface, graph: Graph, run: Trajectory, size: number): void {
+function drawRun(
+  { context, palette }: DrawingSurface,
+  graph: Graph,
+  run: Trajectory,
+  size: number,
+): void {
   const { box } = graph
   context.save()
   clipTo(context, { ...box, left: box.left - 4, right: box.right + 4 })

@@ -4,7 +4,7 @@ import { moved } from '../chart/geometry.ts'
 import { degrees, fixed } from '../chart/numbers.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
   angleControl,
@@ -113,7 +113,7 @@ function forcesIn({ experiment, s, v }: Trajectory) {
   return forcesOn(experiment, { s: s[0]!, v: v[0]! })
 }
 
-function draw(surface: Surface, { values, runs, lit }: View<TiltValues>): void {
+function draw(surface: DrawingSurface, { values, runs, lit }: View<TiltValues>): void {
   const { context, width, height, palette } = surface
   drawTilted(surface, values.angle)
   const { slope, size } = tiltedSlope(surface, values.angle)

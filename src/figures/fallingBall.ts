@@ -5,7 +5,7 @@ import { place, plain, roughMetres, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 
 /** How long it falls [s], and as deep as the picture goes [m]. */
 const DURATION = 1
@@ -74,7 +74,7 @@ function times(rate: number): string {
   return rate < 1.1 ? `${plain(100 * (rate - 1))}\u2009%` : `${Number(rate.toPrecision(2))} times`
 }
 
-function draw(surface: Surface, { values, runs, time }: View<FallValues>): void {
+function draw(surface: DrawingSurface, { values, runs, time }: View<FallValues>): void {
   const { context, width, height, palette } = surface
   const run = runs[0]!
   const exact = exactMotion(run.experiment)
@@ -149,7 +149,7 @@ function draw(surface: Surface, { values, runs, time }: View<FallValues>): void 
   context.restore()
 }
 
-function ring({ context }: Surface, x: number, y: number, radius: number): void {
+function ring({ context }: DrawingSurface, x: number, y: number, radius: number): void {
   context.beginPath()
   context.arc(x, y, radius - 1, 0, 2 * Math.PI)
   context.stroke()

@@ -2,7 +2,7 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 import { fixed, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
 
 /** Long enough for the highest frame rate [s]. */
@@ -56,7 +56,7 @@ function flownAt({ outcome }: Trajectory): number | undefined {
   return outcome.kind === 'left-the-track' ? outcome.time : undefined
 }
 
-function draw(surface: Surface, { values, runs, time }: View<FlungValues>): void {
+function draw(surface: DrawingSurface, { values, runs, time }: View<FlungValues>): void {
   const { context, width, height, palette } = surface
   drawRuns(surface, runs, [`${values.fps} fps`], time)
   const at = flownAt(runs[0]!)

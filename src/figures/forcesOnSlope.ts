@@ -3,7 +3,7 @@ import type { Experiment, ForceVectors, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { fixed } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
-import type { Reading, Surface, View } from './shared/figure.ts'
+import type { Reading, DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
   angleControl,
@@ -107,7 +107,7 @@ function forcesIn({ experiment, s, v }: Trajectory): ForceVectors {
   return forcesOn(experiment, { s: s[0]!, v: v[0]! })
 }
 
-function draw(surface: Surface, { values, runs, lit }: View<SlopeValues>): void {
+function draw(surface: DrawingSurface, { values, runs, lit }: View<SlopeValues>): void {
   const { context, width, height, palette } = surface
   drawTilted(surface, values.angle)
   const { slope, size } = tiltedSlope(surface, values.angle)

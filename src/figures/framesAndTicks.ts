@@ -9,9 +9,9 @@ import { roughMetres, seconds } from '../chart/numbers.ts'
 import { widthOf, write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { clockworkOf } from '../lab/state/clockwork.ts'
-import { ticksOf } from './shared/clockwork.ts'
+import { stepsOf } from './shared/steps.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
 
@@ -116,7 +116,7 @@ function clockOf(kind: TickValues['clock'], fps: number): FramesChoice {
   return kind === 'hitch' ? { kind, fps, every: 0.2, length: 0.15 } : { kind, fps, seed: 2 }
 }
 
-function draw(surface: Surface, { runs, time }: View<TickValues>): void {
+function draw(surface: DrawingSurface, { runs, time }: View<TickValues>): void {
   const { context, width, height, palette } = surface
   const run = runs[0]!
   context.fillStyle = palette.sheet
@@ -138,7 +138,7 @@ function draw(surface: Surface, { runs, time }: View<TickValues>): void {
 }
 
 /** The true motion, the physics states, and what the frames draw: each until the next one. */
-function drawMotion({ context, palette }: Surface, graph: Graph, run: Trajectory): void {
+function drawMotion({ context, palette }: DrawingSurface, graph: Graph, run: Trajectory): void {
   const { x, y, box } = graph
   const exact = exactMotion(run.experiment)
   context.save()
@@ -173,7 +173,7 @@ function drawMotion({ context, palette }: Surface, graph: Graph, run: Trajectory
 }
 
 /** What is what in the graph, in its lower right corner, where the way up a slope does not come. */
-function drawLegend({ context, palette }: Surface, { box }: Graph): void {
+function drawLegend({ context, palette }: DrawingSurface, { box }: Graph): void {
   const [drawn, physics] = [palette.runners[1]!, palette.runners[0]!]
   const rows = ['the true block', 'where the physics stands', 'what frames draw']
   const colours = [palette.ink, physics.text, drawn.text] as const
@@ -198,7 +198,7 @@ function drawLegend({ context, palette }: Surface, { box }: Graph): void {
 
 /** One under the other: the frames, the steps, and what is left over after each frame. */
 function drawLanes(
-  { context, palette }: Surface,
+  { context, palette }: DrawingSurface,
   { x }: Graph,
   run: Trajectory,
   lanes: { readonly frames: number; readonly ticks: number; readonly accumulator: number },
@@ -236,7 +236,7 @@ function drawLanes(
   context.lineWidth = 1
   line(context, { x: x(0), y: lanes.ticks }, { x: x(DURATION), y: lanes.ticks })
   context.fillStyle = physics.fill
-  for (const { time, row } of ticksOf(run)) {
+  for (const { time, row } of stepsOf(run)) {
     const at = { x: x(time + lost[row - 1]!), y: lanes.ticks }
     dot(context, at, 4)
     // From the step up to the frame that took it.
@@ -273,7 +273,12 @@ function drawLanes(
 }
 
 /** The block as the present frame draws it, and the true one, beside the graph at its height. */
-function drawBlocks(surface: Surface, { box, y }: Graph, run: Trajectory, time: number): void {
+function drawBlocks(
+  surface: DrawingSurface,
+  { box, y }: Graph,
+  run: Trajectory,
+  time: number,
+): void {
   const { context, palette } = surface
   const at = { x: box.right + 34, y: y(-run.drawnS[rowAt(run, time)]!) }
   const size = 24

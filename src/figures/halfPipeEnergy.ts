@@ -6,7 +6,7 @@ import { plain, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
 
 const DURATION = 10
@@ -98,7 +98,7 @@ function percent(part: number): string {
   return `${part > 0 ? '+' : ''}${plain(Number((100 * part).toPrecision(2)))}\u2009%`
 }
 
-function drawEnergy(surface: Surface, { values, runs, time }: View<EnergyValues>): void {
+function drawEnergy(surface: DrawingSurface, { values, runs, time }: View<EnergyValues>): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)
@@ -137,7 +137,7 @@ function drawEnergy(surface: Surface, { values, runs, time }: View<EnergyValues>
 
 /** A legend in the lower left, where no curve goes. */
 function drawNames(
-  { context, palette }: Surface,
+  { context, palette }: DrawingSurface,
   runs: readonly Trajectory[],
   chosen: string,
   bottom: number,

@@ -4,7 +4,7 @@ import { clipTo, dot, drawCurve, graphIn, line } from '../chart/graph.ts'
 import { fixed, roughMetres, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { kick, policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
 
@@ -76,7 +76,7 @@ function errorOf({ experiment, s, frames }: Trajectory): number {
   return Math.abs(s[frames]! - exact(experiment, DURATION).s)
 }
 
-function draw(surface: Surface, { values, runs }: View<HitchValues>): void {
+function draw(surface: DrawingSurface, { values, runs }: View<HitchValues>): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)

@@ -6,7 +6,7 @@ import { fixed, place } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { longSlope } from './shared/longSlope.ts'
 import { drawBlock, drawNamedArrows, drawSlope } from './shared/slope.ts'
 import { angleControl, arrowFor, forcesOn, muControl } from './shared/tilted.ts'
@@ -69,7 +69,11 @@ function sumOn(run: Trajectory): number {
   return length(forcesIn(run).sum)
 }
 
-function draw(surface: Surface, { values, runs, time }: View<MassValues>, which: 0 | 1): void {
+function draw(
+  surface: DrawingSurface,
+  { values, runs, time }: View<MassValues>,
+  which: 0 | 1,
+): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)

@@ -6,7 +6,7 @@ import { clipTo, dot } from '../chart/graph.ts'
 import { roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawSlope, slopeThrough } from './shared/slope.ts'
 
 const DURATION = 3
@@ -88,7 +88,7 @@ export function paperPath({ fps, ...corrected }: PaperValues): Body[] {
   return path
 }
 
-function draw(surface: Surface, { values, runs, time }: View<PaperValues>): void {
+function draw(surface: DrawingSurface, { values, runs, time }: View<PaperValues>): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)

@@ -4,7 +4,7 @@ import { dot, drawCurve, graphIn, line } from '../chart/graph.ts'
 import { count, metres, roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 
 const DURATION = 10
 const RATES = [10, 20, 40, 80, 160, 320] as const
@@ -59,7 +59,7 @@ function costOf({ evaluations, stateTime, frames }: Trajectory): number {
   return Math.round(evaluations / stateTime[frames]!)
 }
 
-function draw(surface: Surface, { runs }: View): void {
+function draw(surface: DrawingSurface, { runs }: View): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)

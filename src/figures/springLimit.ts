@@ -4,7 +4,7 @@ import { clipTo, dot, drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import type { Graph } from '../chart/graph.ts'
 import { count, fixed, metres } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 
 const FPS = 20
 const STEPS = 60
@@ -80,7 +80,7 @@ function farthest({ s }: Trajectory): number {
   return s.reduce((far, each) => Math.max(far, Math.abs(each)), 0)
 }
 
-function draw(surface: Surface, { values, runs }: View<LimitValues>): void {
+function draw(surface: DrawingSurface, { values, runs }: View<LimitValues>): void {
   const { context, width, height, palette } = surface
   const run = runs[0]!
   context.fillStyle = palette.sheet
@@ -125,7 +125,7 @@ function draw(surface: Surface, { values, runs }: View<LimitValues>): void {
 
 /** Dots along a thin line, as far as the box goes. */
 function drawDots(
-  { context }: Surface,
+  { context }: DrawingSurface,
   { box }: Graph,
   points: readonly { x: number; y: number }[],
   fill: string,

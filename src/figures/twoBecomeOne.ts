@@ -3,7 +3,7 @@ import type { Experiment, Trajectory, Vector } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { fixed } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
   angleControl,
@@ -62,7 +62,7 @@ function forcesIn({ experiment, s, v }: Trajectory) {
   return forcesOn(experiment, { s: s[0]!, v: v[0]! })
 }
 
-function draw(surface: Surface, { values, runs, lit }: View<PartsValues>): void {
+function draw(surface: DrawingSurface, { values, runs, lit }: View<PartsValues>): void {
   const { context, width, height, palette } = surface
   drawTilted(surface, values.angle)
   const { slope, size } = tiltedSlope(surface, values.angle)

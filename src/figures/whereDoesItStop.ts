@@ -5,7 +5,7 @@ import { fixed, roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
-import type { Surface, View } from './shared/figure.ts'
+import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawFlag, drawLongSlope, longSlope } from './shared/longSlope.ts'
 import { drawBlock } from './shared/slope.ts'
 
@@ -90,15 +90,15 @@ function stopOf({ s }: Trajectory): number {
   return -s[s.length - 1]!
 }
 
-function slopeIn(size: Pick<Surface, 'width' | 'height'>) {
+function slopeIn(size: Pick<DrawingSurface, 'width' | 'height'>) {
   return longSlope(size, parameters.angle, FAR, 0.3 * size.height)
 }
 
-function flagHeight({ height }: Pick<Surface, 'height'>): number {
+function flagHeight({ height }: Pick<DrawingSurface, 'height'>): number {
   return 0.26 * height
 }
 
-function draw(surface: Surface, { values, runs, time }: View<BetValues>): void {
+function draw(surface: DrawingSurface, { values, runs, time }: View<BetValues>): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)
@@ -129,7 +129,7 @@ function draw(surface: Surface, { values, runs, time }: View<BetValues>): void {
 
 /** Where the frame rates stop, under the slope, each on a line of its own. */
 function drawStops(
-  surface: Surface,
+  surface: DrawingSurface,
   [, ...runs]: readonly Trajectory[],
   at: (uphill: number) => { x: number; y: number },
 ): void {

@@ -5,7 +5,7 @@ import { roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { summarize, summaryText } from '../lab/state/frameTimes.ts'
 import { figure } from './shared/figure.ts'
-import type { Reading, Surface, View } from './shared/figure.ts'
+import type { Reading, DrawingSurface, View } from './shared/figure.ts'
 import { kick } from './shared/kick.ts'
 
 const DURATION = 1
@@ -60,7 +60,7 @@ function worstOf(run: Trajectory): number {
   return presentationErrors(run).largest
 }
 
-function draw(surface: Surface, { values }: View<FramesValues>): void {
+function draw(surface: DrawingSurface, { values }: View<FramesValues>): void {
   const { context, width, height, palette } = surface
   const { frames } = values
   context.fillStyle = palette.sheet

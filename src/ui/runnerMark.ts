@@ -42,13 +42,13 @@ export function round(value: number): number {
 
 /** A mark around the origin, of radius 1, as the value of a path element's `d`. */
 function markText(look: number): string {
-  const path = new SvgPath()
+  const path = new MarkPath()
   drawMark(path, look)
   return path.text
 }
 
 /** A path as the text that SVG knows it by: the calls of a canvas's path that shapes here are made of. */
-class SvgPath {
+class MarkPath {
   private readonly parts: string[] = []
 
   /** The value of a path element's `d`. */

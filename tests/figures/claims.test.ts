@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest'
 import { areaUnderV, gapsOf } from '../../src/figures/areaUnderV.ts'
 import { breakIt } from '../../src/figures/breakIt.ts'
 import { chatter, turnsOf } from '../../src/figures/chatter.ts'
-import { ticksOf } from '../../src/figures/shared/clockwork.ts'
+import { stepsOf } from '../../src/figures/shared/steps.ts'
 import { initialValues, readValues } from '../../src/figures/shared/control.ts'
 import type { Values } from '../../src/figures/shared/control.ts'
 import { criticalAngle } from '../../src/figures/criticalAngle.ts'
@@ -143,7 +143,7 @@ test('frames-and-ticks: the ticks are the steps that were counted, and under fix
   for (const timestep of ['variable', 'capped', 'substeps', 'fixed'])
     for (const clock of ['steady', 'jitter', 'hitch', 'missed-vsync']) {
       const [run] = set(framesAndTicks, { timestep, clock }).runs
-      const ticks = ticksOf(run!)
+      const ticks = stepsOf(run!)
       expect(ticks).toHaveLength(run!.steps)
       expect(last(ticks.map(({ time }) => time))).toBeCloseTo(last(run!.stateTime), 9)
       if (timestep !== 'fixed') continue

@@ -4,7 +4,7 @@ import type { Palette } from '../../view/palette.ts'
 import type { Control, Controls, Values } from './control.ts'
 
 /** What a picture is drawn on: a canvas in the page, or at build time something that writes an SVG. */
-export interface Surface {
+export interface DrawingSurface {
   readonly context: CanvasRenderingContext2D
   /** [CSS px] */
   readonly width: number
@@ -36,8 +36,8 @@ export interface Panel<V = Values> {
   /** Its height as a part of its width, in a wide column and in a narrow one. */
   readonly shape: { readonly wide: number; readonly narrow: number }
   /** Draws all of it, from the surface's own colour up. Equal views on equal surfaces give equal pictures. */
-  draw(surface: Surface, view: View<V>): void
-  grips?(size: Pick<Surface, 'width' | 'height'>, view: View<V>): readonly Grip[]
+  draw(surface: DrawingSurface, view: View<V>): void
+  grips?(size: Pick<DrawingSurface, 'width' | 'height'>, view: View<V>): readonly Grip[]
 }
 
 /** A number under the picture. */

@@ -2,7 +2,7 @@ import { moved } from '../../chart/geometry.ts'
 import type { Point } from '../../chart/geometry.ts'
 import { line } from '../../chart/graph.ts'
 import { write } from '../../chart/text.ts'
-import type { Surface } from './figure.ts'
+import type { DrawingSurface } from './figure.ts'
 import { drawSlope, slopeThrough } from './slope.ts'
 import type { Slope } from './slope.ts'
 
@@ -17,7 +17,7 @@ export interface LongSlope {
 
 /** Where a slope of an angle [°] lies that shows `metres` uphill of the mark, its foot so high over the lower edge [px]. */
 export function longSlope(
-  { width, height }: Pick<Surface, 'width' | 'height'>,
+  { width, height }: Pick<DrawingSurface, 'width' | 'height'>,
   angle: number,
   metres: number,
   foot: number,
@@ -31,7 +31,11 @@ export function longSlope(
 }
 
 /** Draws it with a tick for every metre. */
-export function drawLongSlope(surface: Surface, { slope, at }: LongSlope, metres: number): void {
+export function drawLongSlope(
+  surface: DrawingSurface,
+  { slope, at }: LongSlope,
+  metres: number,
+): void {
   const { context, palette } = surface
   drawSlope(context, slope, surface, palette)
   context.strokeStyle = context.fillStyle = palette.inkSoft
@@ -46,7 +50,7 @@ export function drawLongSlope(surface: Surface, { slope, at }: LongSlope, metres
 }
 
 /** A flag planted in the ground at a point. */
-export function drawFlag(surface: Surface, at: Point, height: number, colour: string): void {
+export function drawFlag(surface: DrawingSurface, at: Point, height: number, colour: string): void {
   const { context } = surface
   const top = at.y - height
   context.strokeStyle = context.fillStyle = colour

@@ -2,7 +2,7 @@ import { exactMotion, parseExperiment, scenes } from '../../physics/index.ts'
 import type { Trajectory } from '../../physics/index.ts'
 import type { Picture } from '../../view/picture.ts'
 import { drawScene } from '../../view/scenePicture.ts'
-import type { Surface } from './figure.ts'
+import type { DrawingSurface } from './figure.ts'
 
 type Still = Omit<Picture, 'time'>
 
@@ -35,7 +35,7 @@ function stillOf(runs: readonly Trajectory[], names: readonly string[]): Still {
 
 /** Draws the lab's picture of some runs at an instant [s]. */
 export function drawRuns(
-  surface: Surface,
+  surface: DrawingSurface,
   runs: readonly Trajectory[],
   names: readonly string[],
   time: number,

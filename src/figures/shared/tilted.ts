@@ -3,7 +3,7 @@ import type { Experiment, ForceVectors, State, Vector } from '../../physics/inde
 import { moved } from '../../chart/geometry.ts'
 import type { Point } from '../../chart/geometry.ts'
 import type { NumberControl } from './control.ts'
-import type { Grip, Surface } from './figure.ts'
+import type { Grip, DrawingSurface } from './figure.ts'
 import { angleTowards, drawSlope, drawSlopeAngle, slopeThrough } from './slope.ts'
 import type { NamedArrow, Slope } from './slope.ts'
 
@@ -35,7 +35,7 @@ export const muControl = (initial: number) =>
     initial,
   }) as const satisfies NumberControl
 
-type Size = Pick<Surface, 'width' | 'height'>
+type Size = Pick<DrawingSurface, 'width' | 'height'>
 
 /** The slope, and the side of the block that stands on it in the middle. */
 export function tiltedSlope(
@@ -61,7 +61,7 @@ export function tiltGrip(size: Size, angle: number): Grip {
 }
 
 /** The ground, and the angle at its foot. */
-export function drawTilted(surface: Surface, angle: number): void {
+export function drawTilted(surface: DrawingSurface, angle: number): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)

@@ -1,11 +1,11 @@
 import type { AttributePart, ChildPart, PropertyPart } from 'lit'
 import { AsyncDirective, directive } from 'lit/async-directive.js'
-import type { Phase } from './subscribers.ts'
+import type { UpdatePhase } from './subscribers.ts'
 import type { Playback } from './playback.ts'
 
 /** One place in a template whose value follows the cursor on time, without anything else being rendered. */
 class AtNow extends AsyncDirective {
-  protected readonly phase: Phase = 'write'
+  protected readonly phase: UpdatePhase = 'write'
   private playback: Playback | undefined
   private of: ((time: number) => unknown) | undefined
   private shown: unknown

@@ -3,10 +3,10 @@ import type { Trajectory } from '../../physics/index.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { onVisible } from '../../ui/visibility.ts'
 import { Subscribers } from './subscribers.ts'
-import type { Phase } from './subscribers.ts'
+import type { UpdatePhase } from './subscribers.ts'
 
 /** What playback moves through. */
-interface Recording extends ReactiveControllerHost, HTMLElement {
+interface PlaybackHost extends ReactiveControllerHost, HTMLElement {
   readonly duration: number
   /** Of the visible runners. */
   readonly recorded: readonly Trajectory[]
@@ -34,11 +34,11 @@ export class Playback implements ReactiveController {
   private request = 0
   private before = 0
   private written = 0
-  private readonly host: Recording
+  private readonly host: PlaybackHost
   private readonly subscribers = new Subscribers()
   private stopWatching = () => {}
 
-  constructor(host: Recording) {
+  constructor(host: PlaybackHost) {
     this.host = host
     host.addController(this)
   }
@@ -65,7 +65,7 @@ export class Playback implements ReactiveController {
    * Calls back whenever the cursor has moved; while it plays only if the element can be seen, and to `write` only a few
    * times a second. Returns a function that unsubscribes.
    */
-  subscribe(element: Element, phase: Phase, listener: () => void): () => void {
+  subscribe(element: Element, phase: UpdatePhase, listener: () => void): () => void {
     return this.subscribers.add(element, phase, listener)
   }
 

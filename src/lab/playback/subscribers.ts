@@ -5,11 +5,11 @@ import { onVisible } from '../../ui/visibility.ts'
  * on a canvas after the page was changed makes the browser work out all of its styles.
  */
 const phases = ['draw', 'move', 'write'] as const
-export type Phase = (typeof phases)[number]
+export type UpdatePhase = (typeof phases)[number]
 
 /** An element, and its listeners by phase. */
 interface Subscriber {
-  readonly listeners: Readonly<Record<Phase, Set<() => void>>>
+  readonly listeners: Readonly<Record<UpdatePhase, Set<() => void>>>
   seen: boolean
   stopWatching: () => void
 }
@@ -19,7 +19,7 @@ export class Subscribers {
   private readonly all = new Map<Element, Subscriber>()
 
   /** Returns a function that unsubscribes. */
-  add(element: Element, phase: Phase, listener: () => void): () => void {
+  add(element: Element, phase: UpdatePhase, listener: () => void): () => void {
     const subscriber = this.all.get(element) ?? this.create(element)
     subscriber.listeners[phase].add(listener)
     return () => {

@@ -8,7 +8,7 @@ import { viewOf } from '../../view/scenes.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import { arrowNames, lookedAt, pictureForces } from './forcesPicture.ts'
-import type { Forces, Looked } from './forcesPicture.ts'
+import type { BlockForces, Looked } from './forcesPicture.ts'
 
 /** Whether a lab shows forces: not at first. It is remembered as long as the page is. */
 export class ForcesSwitch {
@@ -62,7 +62,7 @@ function legend(lab: LabView, looked: Looked | undefined) {
   </div>`
 }
 
-function table(lab: LabView, { largest }: Looked, { vectors, velocity }: Forces) {
+function table(lab: LabView, { largest }: Looked, { vectors, velocity }: BlockForces) {
   const { scene } = lab.simulated
   const arrow = viewOf(scene).falls ? '↓' : scene.facing > 0 ? '→' : '←'
   const row = (name: unknown, value: Vector, unit: string, most: number) =>
@@ -105,7 +105,7 @@ function table(lab: LabView, { largest }: Looked, { vectors, velocity }: Forces)
   </table>`
 }
 
-function frictionLine({ runner, largest }: Looked, forces: Forces) {
+function frictionLine({ runner, largest }: Looked, forces: BlockForces) {
   const text = frictionText(runner.trajectory.experiment, forces, largest.force)
   if (!text) return nothing
   // The index of μ is set as one.
@@ -130,7 +130,7 @@ function rounded(value: number, largest: number): number {
 /** What friction does and why it is as large as it is; nothing where nothing can rub. */
 export function frictionText(
   { parameters, stopping }: Pick<ResolvedExperiment, 'parameters' | 'stopping'>,
-  { vectors }: Forces,
+  { vectors }: BlockForces,
   largest: number,
 ): string {
   const { muStatic, muKinetic } = parameters

@@ -7,7 +7,7 @@ import type { LabView } from '../../lab/labView.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 
 /** The forces on a runner's block in one row of its run. */
-export interface Forces {
+export interface BlockForces {
   /** As physics has them [N]. */
   readonly vectors: ForceVectors
   /** [m/s], along the track. */
@@ -18,7 +18,7 @@ export interface Forces {
  * The forces that a step begins with at a row's physics state; undefined where the run has left the track or
  * diverged, so that there is no block any more.
  */
-export function forcesOf({ trajectory, row }: Moment): Forces | undefined {
+export function forcesOf({ trajectory, row }: RunRow): BlockForces | undefined {
   const end = endOf(trajectory)
   if (end && end.kind !== 'at-rest' && row >= end.row) return undefined
   const { s, v } = trajectory
@@ -26,12 +26,12 @@ export function forcesOf({ trajectory, row }: Moment): Forces | undefined {
 }
 
 /** A row of a run. */
-interface Moment {
+interface RunRow {
   readonly trajectory: Trajectory
   readonly row: number
 }
 
-function forcesIn({ experiment }: Pick<Trajectory, 'experiment'>, state: State): Forces {
+function forcesIn({ experiment }: Pick<Trajectory, 'experiment'>, state: State): BlockForces {
   const vectors = forcesAt(experiment, state)
   const { along } = vectors
   return { vectors, velocity: { x: state.v * along.x, y: state.v * along.y } }
@@ -123,7 +123,7 @@ export interface Looked {
   readonly runner: SimulatedRunner
   readonly row: number
   /** Undefined where there is no block any more. */
-  readonly forces: Forces | undefined
+  readonly forces: BlockForces | undefined
   readonly largest: Largest
 }
 

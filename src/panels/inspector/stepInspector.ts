@@ -169,7 +169,7 @@ function hasEvent({ stretches, standings, outcome, to }: PolicyStep): boolean {
   )
 }
 
-interface Stepper {
+interface StepperOptions {
   /** What is stepped through, in the singular. */
   readonly what: string
   /** The first and the last that there is. */
@@ -180,7 +180,7 @@ interface Stepper {
 }
 
 /** “Step 3 of 6” between buttons to the first, the one before, the next and the last. */
-function stepper({ what, from, to, at, go }: Stepper) {
+function stepper({ what, from, to, at, go }: StepperOptions) {
   const button = (name: IconName, label: string, there: number) => {
     const isOff = there < from || there > to || there === at
     // Off for who uses it, not for the browser, which would take the focus away.

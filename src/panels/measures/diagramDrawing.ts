@@ -1,14 +1,18 @@
 import { html, nothing, svg } from 'lit'
 import { decadeText } from '../../chart/magnitudes.ts'
 import { round, svgMark } from '../../ui/runnerMark.ts'
-import type { DiagramLayout, Drawn, Spot } from './diagramLayout.ts'
+import type { DiagramLayout, Drawn, DiagramSpot } from './diagramLayout.ts'
 import type { CostKind } from './points.ts'
 
 /** Drawn stronger, and named: metres, millimetres, micrometres … */
 const isUnit = (exponent: number) => exponent % 3 === 0
 
 /** The diagram as a picture. What it says in words stands beside it. */
-export function diagramDrawing(layout: DiagramLayout, kind: CostKind, chosen: Spot | undefined) {
+export function diagramDrawing(
+  layout: DiagramLayout,
+  kind: CostKind,
+  chosen: DiagramSpot | undefined,
+) {
   const { width, height } = layout
   return html`<svg
     width=${width}
@@ -53,7 +57,7 @@ function frontierLine({ frontier }: DiagramLayout) {
   return svg`<path class="frontier" d=${frontier.length > 1 ? path.join('') : `${path[0]!}h0.01`} />`
 }
 
-function curve({ curve, spots }: Drawn, chosen: Spot | undefined) {
+function curve({ curve, spots }: Drawn, chosen: DiagramSpot | undefined) {
   const { look, method } = curve
   let pen = false
   const path = spots.map(({ x, y, point }) => {
@@ -68,7 +72,7 @@ function curve({ curve, spots }: Drawn, chosen: Spot | undefined) {
 }
 
 /** A ring around a runner’s point. Its mark is at a place of its own, so that of several rings in one each can be told. */
-function ring({ x, y, point }: Spot) {
+function ring({ x, y, point }: DiagramSpot) {
   const { look, apart } = point.runner!
   const turn = ((1 + look) * Math.PI) / 4
   const [across, up] = [8 * Math.cos(turn), 8 * Math.sin(turn)]
@@ -97,7 +101,7 @@ function short(order: string): string {
       : '–'
 }
 
-function cross({ left, bottom, failed, top }: DiagramLayout, { x, y }: Spot) {
+function cross({ left, bottom, failed, top }: DiagramLayout, { x, y }: DiagramSpot) {
   return svg`<g class="cross">
     <path d="M${left} ${round(y)}H${round(x)}M${round(x)} ${failed === undefined ? top : top - 26}V${bottom}" />
     <circle cx=${round(x)} cy=${round(y)} r="9" />

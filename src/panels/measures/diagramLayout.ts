@@ -5,7 +5,7 @@ import { decadeAbove, decadeBelow } from '../../chart/magnitudes.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
 
 /** A point of the diagram and where it is drawn [px]. */
-export interface Spot {
+export interface DiagramSpot {
   readonly point: DiagramPoint
   readonly x: number
   readonly y: number
@@ -14,7 +14,7 @@ export interface Spot {
 /** A curve and where it is drawn. */
 export interface Drawn {
   readonly curve: DiagramCurve
-  readonly spots: readonly Spot[]
+  readonly spots: readonly DiagramSpot[]
   /** Of its label [px]. */
   readonly labelY: number
 }
@@ -36,8 +36,8 @@ export interface DiagramLayout {
   readonly failed: number | undefined
   readonly drawn: readonly Drawn[]
   /** The runners of the lab whose methods are drawn. */
-  readonly rings: readonly Spot[]
-  readonly frontier: readonly Spot[]
+  readonly rings: readonly DiagramSpot[]
+  readonly frontier: readonly DiagramSpot[]
   /** There is room for the curves' names beside them. */
   readonly named: boolean
 }
@@ -81,7 +81,7 @@ export function layOut(
     left + 6,
     right - 6,
   )
-  const place = (curve: DiagramCurve, point: DiagramPoint): Spot => {
+  const place = (curve: DiagramCurve, point: DiagramPoint): DiagramSpot => {
     const { whole, error, cost } = point
     const row = floor + 8 + ROW * (exact.indexOf(curve) + 0.5)
     const y = !whole ? top - 14 : error < ROUNDING ? row : up.at(error)
@@ -108,8 +108,8 @@ export function layOut(
 }
 
 /** The spot that is nearest to a place, if one is near. */
-export function nearestSpot(layout: DiagramLayout, x: number, y: number): Spot | undefined {
-  let nearest: Spot | undefined
+export function nearestSpot(layout: DiagramLayout, x: number, y: number): DiagramSpot | undefined {
+  let nearest: DiagramSpot | undefined
   let least = 28
   for (const spot of rowsOf(layout).flat()) {
     const distance = Math.sqrt((spot.x - x) ** 2 + (spot.y - y) ** 2)
@@ -122,7 +122,7 @@ export function nearestSpot(layout: DiagramLayout, x: number, y: number): Spot |
 }
 
 /** All spots as they are gone along: curve by curve, and then the runners of the lab. */
-export function rowsOf({ drawn, rings }: DiagramLayout): (readonly Spot[])[] {
+export function rowsOf({ drawn, rings }: DiagramLayout): (readonly DiagramSpot[])[] {
   return [...drawn.map(({ spots }) => spots), ...(rings.length > 0 ? [rings] : [])]
 }
 

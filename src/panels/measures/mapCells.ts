@@ -6,7 +6,7 @@ import { decadeAbove, decadeBelow } from '../../chart/magnitudes.ts'
 export const HIGHEST = 2
 
 /** What is known of a cell. */
-export interface Cell {
+export interface MapCell {
   readonly kind: CellKind
   /** [m] */
   readonly value: number
@@ -30,7 +30,7 @@ export class MapCells {
   }
 
   /** A cell, or as long as it is not computed the one that the first look has in its stead. */
-  cell(column: number, row: number): Cell {
+  cell(column: number, row: number): MapCell {
     const own = this.own(column, row)
     if (own.kind !== 'pending') return own
     const { columns, rows } = this.request
@@ -53,7 +53,7 @@ export class MapCells {
   }
 
   /** How many cells there are for which something holds. */
-  count(holds: (cell: Cell) => boolean): number {
+  count(holds: (cell: MapCell) => boolean): number {
     const { columns, rows } = this.request
     let count = 0
     for (let row = 0; row < rows; row++)
@@ -61,7 +61,7 @@ export class MapCells {
     return count
   }
 
-  private own(column: number, row: number): Cell {
+  private own(column: number, row: number): MapCell {
     const known = this.rows[row]
     if (!known) return { kind: 'pending', value: NaN }
     return { kind: cellKinds[known.kinds[column]!]!, value: known.values[column]! }

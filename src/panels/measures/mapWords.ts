@@ -10,7 +10,7 @@ import {
 import type { MapRequest } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
-import type { Cell, MapCells } from './mapCells.ts'
+import type { MapCell, MapCells } from './mapCells.ts'
 import { parametersOf } from './mapChoice.ts'
 
 /** The parameter that a map is drawn over. */
@@ -30,7 +30,7 @@ export function placeText(request: MapRequest, column: number, row: number): str
 }
 
 /** What a cell says, in a few words that can stand after “it”. */
-export function cellWords({ kind, value }: Cell, { of }: MapRequest): string {
+export function cellWords({ kind, value }: MapCell, { of }: MapRequest): string {
   switch (kind) {
     case 'measured': {
       const size = roughSize(value)

@@ -4,7 +4,7 @@
  * answers, `{ ready: true }`, says that the worker is there.
  */
 import { Slices } from './slices.ts'
-import type { Report } from './slices.ts'
+import type { TaskReport } from './slices.ts'
 
 const slices = new Slices(() => performance.now())
 
@@ -16,7 +16,7 @@ self.onmessage = ({ data }: MessageEvent<unknown>) => {
 }
 postMessage({ ready: true })
 
-function buffersOf({ parts }: Report): Transferable[] {
+function buffersOf({ parts }: TaskReport): Transferable[] {
   return parts
     .flatMap((part) => Object.values(part))
     .filter((value) => ArrayBuffer.isView(value))

@@ -1,5 +1,5 @@
 import { Slices } from './slices.ts'
-import type { Report } from './slices.ts'
+import type { TaskReport } from './slices.ts'
 import type { Task } from './task.ts'
 
 /** A worker that is silent this long while it has a task has failed [ms]. A slice takes a thousandth of it. */
@@ -24,7 +24,7 @@ export class Measurer {
   private replaced = false
   private id = 0
   private task: Task | undefined
-  private listener: (report: Report) => void = () => {}
+  private listener: (report: TaskReport) => void = () => {}
   private timer: ReturnType<typeof setTimeout> | undefined
   private readonly notice: (text: string) => void
 
@@ -39,7 +39,7 @@ export class Measurer {
   }
 
   /** Replaces the current task; its results are dropped. */
-  measure(task: Task, listener: (report: Report) => void): void {
+  measure(task: Task, listener: (report: TaskReport) => void): void {
     this.replaced = false
     this.notice('')
     this.task = task
@@ -79,7 +79,7 @@ export class Measurer {
     try {
       // In one piece, by which the build knows a worker.
       const worker = new Worker(new URL('./measureWorker.ts', import.meta.url), { type: 'module' })
-      worker.onmessage = ({ data }: MessageEvent<{ id: number; report?: Report }>) => {
+      worker.onmessage = ({ data }: MessageEvent<{ id: number; report?: TaskReport }>) => {
         if (worker !== this.worker) return
         this.ready = true
         if (data.report) this.heard(data.id, data.report)
@@ -95,7 +95,7 @@ export class Measurer {
     }
   }
 
-  private heard(id: number, report: Report): void {
+  private heard(id: number, report: TaskReport): void {
     if (id !== this.id || !this.task) return
     clearTimeout(this.timer)
     if (report.done === 1) this.task = undefined

@@ -14,7 +14,7 @@ export const arrows: Readonly<Record<string, Move>> = {
 }
 
 /** A picture of things that can be chosen. */
-interface Picture<Thing> {
+interface ChoicePicture<Thing> {
   /** For whoever can't see it: what it is, and what its keys do. */
   readonly label: string
   /** Where its keys go, by name. */
@@ -42,7 +42,7 @@ export interface PictureChoice<Thing> {
 /** Lets things be chosen in a picture, whose element is drawn again with each. */
 export function pictureChoice<Thing>(
   host: ReactiveControllerHost,
-  { label, moves, at, next, words, show }: Picture<Thing>,
+  { label, moves, at, next, words, show }: ChoicePicture<Thing>,
 ): PictureChoice<Thing> {
   const under = (event: MouseEvent) => {
     const { x, y } = pointIn(event.currentTarget as HTMLElement, event)

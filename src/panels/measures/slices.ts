@@ -3,7 +3,7 @@ import { begin } from './task.ts'
 import type { Part, Work } from './task.ts'
 
 /** What is told of a task under way. */
-export interface Report {
+export interface TaskReport {
   readonly parts: readonly Part[]
   /** How much of it is done, 0 … 1; at 1 there is no more to come. */
   readonly done: number
@@ -20,7 +20,7 @@ export class Slices {
   private yielded = 0
   /** A slice will come. */
   private due = false
-  private tell: (report: Report) => void = () => {}
+  private tell: (report: TaskReport) => void = () => {}
   private readonly clock: Clock
   // Timers wait for some milliseconds, messages do not.
   private readonly pause = new MessageChannel()
@@ -31,7 +31,7 @@ export class Slices {
   }
 
   /** Drops what it was at and begins this. */
-  start(task: unknown, tell: (report: Report) => void): void {
+  start(task: unknown, tell: (report: TaskReport) => void): void {
     this.yielded = 0
     this.tell = tell
     try {

@@ -12,7 +12,7 @@ import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { diagramAdvice } from './diagramAdvice.ts'
 import { diagramDrawing } from './diagramDrawing.ts'
 import { layOut } from './diagramLayout.ts'
-import type { DiagramLayout, Spot } from './diagramLayout.ts'
+import type { DiagramLayout, DiagramSpot } from './diagramLayout.ts'
 import { diagramTable } from './diagramTable.ts'
 import { errorText, pointName, pointWords } from './diagramWords.ts'
 import { labRunners } from './labRunners.ts'
@@ -127,7 +127,7 @@ class SpeedDiagram extends LitElement {
     </div>`
   }
 
-  private readOut(spot: Spot | undefined) {
+  private readOut(spot: DiagramSpot | undefined) {
     return spot
       ? html`<b>${pointName(spot.point)}</b>: ${this.words(spot.point)}.
           ${spot.point.runner ? nothing : html`<span class="soft">Click to see it in the lab.</span>`}`

@@ -1,6 +1,6 @@
 import type { ReactiveControllerHost } from 'lit'
 import { nearestSpot, rowsOf } from './diagramLayout.ts'
-import type { DiagramLayout, Spot } from './diagramLayout.ts'
+import type { DiagramLayout, DiagramSpot } from './diagramLayout.ts'
 import { pointName } from './diagramWords.ts'
 import { arrows, pictureChoice } from './pictureArea.ts'
 import type { Move, PictureChoice } from './pictureArea.ts'
@@ -40,7 +40,7 @@ export function spotChoice(host: Host): PictureChoice<string> {
 export function spotNamed(
   layout: DiagramLayout | undefined,
   name: string | undefined,
-): Spot | undefined {
+): DiagramSpot | undefined {
   return (
     layout &&
     rowsOf(layout)
@@ -49,12 +49,16 @@ export function spotNamed(
   )
 }
 
-function nameOf(spot: Spot | undefined): string | undefined {
+function nameOf(spot: DiagramSpot | undefined): string | undefined {
   return spot && pointName(spot.point)
 }
 
 /** Along a curve, or up and down to another: the first of all where there is none to go from. */
-function nextSpot(layout: DiagramLayout, from: Spot | undefined, [along, up]: Move): Spot {
+function nextSpot(
+  layout: DiagramLayout,
+  from: DiagramSpot | undefined,
+  [along, up]: Move,
+): DiagramSpot {
   const rows = rowsOf(layout)
   const row = from ? rows.findIndex((spots) => spots.includes(from)) : 0
   const spots = rows[(row - up + rows.length) % rows.length]!

@@ -7,7 +7,7 @@ import type { Palette } from '../../view/palette.ts'
 import { boxOf, clip } from './chart.ts'
 import { EXACT } from './curves.ts'
 import type { Drawing } from './curves.ts'
-import type { Reading } from './readings.ts'
+import type { PlotReading } from './readings.ts'
 
 /** What a plot's cursor points at. */
 export interface Pointed {
@@ -20,7 +20,7 @@ export interface Pointed {
   /** Where a pointer is, if it is over a plot [s]. */
   readonly hover: number | undefined
   /** Of the time that is looked at. */
-  readonly readings: readonly Reading[]
+  readonly readings: readonly PlotReading[]
 }
 
 /** Draws the transport's time, that of the pointer, and each runner's mark at its value then. */

@@ -3,7 +3,7 @@ import { samplesOf } from '../../view/samples.ts'
 import type { Samples } from '../../view/samples.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind } from './kinds.ts'
-import type { Quantity } from './quantity.ts'
+import type { PlotQuantity } from './quantity.ts'
 import { axisOf, timeAxis } from './range.ts'
 import { thinColumns, thinPath } from './thin.ts'
 
@@ -71,7 +71,7 @@ type Thinned = (x: Float64Array, y: Float64Array) => number[]
 /** The true motion. What was not followed swing by swing shows how far it goes, over time, and nothing else. */
 function trueCurve({ over, of }: PlotKind, samples: Samples, thinned: Thinned): Curve {
   const time = over ? samples.time.subarray(0, samples.followed + 1) : samples.time
-  const values = ({ ofExact }: Quantity) =>
+  const values = ({ ofExact }: PlotQuantity) =>
     time.map((_, row) => ofExact!({ s: samples.s[row]!, v: samples.v[row]! }))
   const x = over ? values(over) : time
   const y = values(of)

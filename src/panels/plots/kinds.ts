@@ -1,7 +1,7 @@
 import { viewOf } from '../../view/scenes.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { energy, error, position, shownPosition, speed } from './quantity.ts'
-import type { Quantity } from './quantity.ts'
+import type { PlotQuantity } from './quantity.ts'
 
 /** One of the plots: a quantity over time, or over another quantity. */
 export interface PlotKind {
@@ -10,8 +10,8 @@ export interface PlotKind {
   /** What it shows, in a few words. */
   caption(simulated: Simulated): string
   /** Undefined: over time. */
-  readonly over?: Quantity
-  readonly of: Quantity
+  readonly over?: PlotQuantity
+  readonly of: PlotQuantity
   /** Why there is nothing to see, where that is so. */
   absent?(simulated: Simulated): string
 }

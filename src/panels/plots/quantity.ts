@@ -4,7 +4,7 @@ import { residualText } from '../../chart/magnitudes.ts'
 import { fixed, place, plain } from '../../chart/numbers.ts'
 
 /** Something that a plot shows of every frame of a run. */
-export interface Quantity {
+export interface PlotQuantity {
   readonly label: string
   readonly unit: string
   /** One number for each row of a trajectory. */
@@ -26,7 +26,7 @@ const FLOOR = 1e-16
 const thin = '\u2009'
 
 /** Where each frame shows the block [m]. */
-export const shownPosition: Quantity = {
+export const shownPosition: PlotQuantity = {
   label: 'position',
   unit: 'm',
   values: ({ drawnS }) => drawnS,
@@ -36,10 +36,10 @@ export const shownPosition: Quantity = {
 }
 
 /** Where the physics has the block [m]. */
-export const position: Quantity = { ...shownPosition, values: ({ s }) => s }
+export const position: PlotQuantity = { ...shownPosition, values: ({ s }) => s }
 
 /** [m/s] */
-export const speed: Quantity = {
+export const speed: PlotQuantity = {
   label: 'speed',
   unit: 'm/s',
   values: ({ v }) => v,
@@ -49,7 +49,7 @@ export const speed: Quantity = {
 }
 
 /** How far what is shown is from the exact block, |drawnS − exact(time)|, at least the floor [m]. */
-export const error: Quantity = {
+export const error: PlotQuantity = {
   label: 'error',
   unit: 'm',
   values: remembered((trajectory) =>
@@ -62,7 +62,7 @@ export const error: Quantity = {
 }
 
 /** Kinetic + potential + heat − what there was at the start [J]. */
-export const energy: Quantity = {
+export const energy: PlotQuantity = {
   label: 'energy residual',
   unit: 'J',
   values: remembered(energyResidual),
@@ -73,7 +73,7 @@ export const energy: Quantity = {
 }
 
 /** The values of a run are worked out once, however often it is drawn. */
-function remembered(values: (trajectory: Trajectory) => Float64Array): Quantity['values'] {
+function remembered(values: (trajectory: Trajectory) => Float64Array): PlotQuantity['values'] {
   const kept = new WeakMap<Trajectory, Float64Array>()
   return (trajectory) => {
     let known = kept.get(trajectory)

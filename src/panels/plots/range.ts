@@ -3,13 +3,13 @@ import type { Axis } from '../../chart/axis.ts'
 import { ROUNDING } from '../../chart/numbers.ts'
 import { samplesOf } from '../../view/samples.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
-import type { Quantity } from './quantity.ts'
+import type { PlotQuantity } from './quantity.ts'
 
 /** Errors above this are no longer a matter of more or less [m]. */
 const LARGEST = 1e6
 
 /** The axis on which a quantity of all visible runners has room. */
-export function axisOf(quantity: Quantity, simulated: Simulated): Axis {
+export function axisOf(quantity: PlotQuantity, simulated: Simulated): Axis {
   return quantity.logarithmic ? logarithmic(quantity, simulated) : linear(quantity, simulated)
 }
 
@@ -22,7 +22,7 @@ export function timeAxis({ state }: Simulated): Axis {
  * All of the true motion, and the runners as far as they stay within reach of it: one that diverges would press
  * everything else into a line.
  */
-function linear(quantity: Quantity, simulated: Simulated): Axis {
+function linear(quantity: PlotQuantity, simulated: Simulated): Axis {
   const { exact, visible, state } = simulated
   let from = Infinity
   let to = -Infinity
@@ -53,7 +53,7 @@ function liveliest({ exact, state }: Simulated): number {
   return 0.5 * state.parameters.mass! * fastest * fastest
 }
 
-function logarithmic(quantity: Quantity, { visible }: Simulated): Axis {
+function logarithmic(quantity: PlotQuantity, { visible }: Simulated): Axis {
   let smallest = Infinity
   let largest = 0
   for (const { trajectory } of visible) {

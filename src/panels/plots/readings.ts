@@ -7,7 +7,7 @@ import { EXACT } from './curves.ts'
 import type { PlotKind } from './kinds.ts'
 
 /** What a runner, or the exact block, shows in a plot at a time. */
-export interface Reading {
+export interface PlotReading {
   readonly name: string
   /** Of its runner, or EXACT. */
   readonly look: number
@@ -20,10 +20,10 @@ export interface Reading {
 }
 
 /** The values of every visible runner at the last of its frames by then, and the exact ones of that very time [s]. */
-export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): Reading[] {
+export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): PlotReading[] {
   const { exact, visible } = simulated
   const { over, of } = kind
-  const readings = visible.map(({ name, trajectory, state: { look } }): Reading => {
+  const readings = visible.map(({ name, trajectory, state: { look } }): PlotReading => {
     const row = rowAt(trajectory, time)
     const frame = trajectory.time[row]!
     const x = over ? over.values(trajectory)[row]! : frame
@@ -36,13 +36,17 @@ export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): 
 }
 
 /** The readings in a sentence. */
-export function spoken({ title }: PlotKind, readings: readonly Reading[], time: number): string {
+export function spoken(
+  { title }: PlotKind,
+  readings: readonly PlotReading[],
+  time: number,
+): string {
   const values = readings.map(({ name, text }) => `${name} ${text}`)
   return `${title} at ${seconds(time)}: ${values.join(', ')}.`
 }
 
 /** A reading with every digit, and the time of the frame that shows it. */
-export function inFull({ over, of }: PlotKind, { name, x, y, time }: Reading): string {
+export function inFull({ over, of }: PlotKind, { name, x, y, time }: PlotReading): string {
   const figures = [...(over ? [`${raw(x)} ${over.unit}`] : []), `${raw(y)} ${of.unit}`]
   return `${name}: ${figures.join(', ')}, at t = ${raw(time)} s`
 }
@@ -54,7 +58,7 @@ function reading(
   x: number,
   y: number,
   time: number,
-): Reading {
+): PlotReading {
   return {
     ...{ name, look, x, y, time },
     // Only when it is to be read: cursors are drawn more often.
@@ -71,7 +75,7 @@ function reading(
 export function plotValues(
   kind: PlotKind,
   { visible }: Simulated,
-  readings: readonly Reading[],
+  readings: readonly PlotReading[],
   pointed: (event: PointerEvent) => void,
 ) {
   const looks = [

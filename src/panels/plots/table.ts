@@ -4,16 +4,16 @@ import { fixed, plain, raw, ROUNDING } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind } from './kinds.ts'
-import type { Quantity } from './quantity.ts'
+import type { PlotQuantity } from './quantity.ts'
 
 /** A plot in figures. */
 export interface PlotTable {
   /** With units; the first is the time's. */
   readonly head: readonly string[]
-  readonly rows: readonly { readonly time: string; readonly cells: readonly Cell[] }[]
+  readonly rows: readonly { readonly time: string; readonly cells: readonly TableCell[] }[]
 }
 
-interface Cell {
+interface TableCell {
   readonly text: string
   readonly title: string
 }
@@ -61,7 +61,7 @@ export function nearestRow(trajectory: Trajectory, time: number): number {
   return next !== undefined && next - time < time - times[row]! ? row + 1 : row
 }
 
-function cell(quantity: Quantity, value: number, time: number): Cell {
+function cell(quantity: PlotQuantity, value: number, time: number): TableCell {
   return {
     text: figure(quantity, value),
     title: `${raw(value)} ${quantity.unit} at t = ${raw(time)} s`,
@@ -69,7 +69,7 @@ function cell(quantity: Quantity, value: number, time: number): Cell {
 }
 
 /** Without its unit, which stands in the head. */
-function figure({ residual }: Quantity, value: number): string {
+function figure({ residual }: PlotQuantity, value: number): string {
   const size = Math.abs(value)
   if (residual && size < ROUNDING) return '0 (to rounding)'
   return size < 1e4 && (!residual || size >= 0.01) ? fixed(value, 3) : plain(value)

@@ -15,9 +15,9 @@ export function toCsv(runners: readonly SimulatedRunner[], exact: ExactMotion): 
   return lines.join('\r\n') + '\r\n'
 }
 
-type Value = (runner: SimulatedRunner, row: number, exact: ExactMotion) => string | number
+type ColumnValue = (runner: SimulatedRunner, row: number, exact: ExactMotion) => string | number
 
-const columns: readonly (readonly [string, Value])[] = [
+const columns: readonly (readonly [string, ColumnValue])[] = [
   ['runner', ({ name }) => quoted(name)],
   ['frame', (_, row) => row],
   ['time (s)', ({ trajectory }, row) => trajectory.time[row]!],

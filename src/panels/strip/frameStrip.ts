@@ -10,7 +10,7 @@ import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { drawPlayhead } from './playhead.ts'
 import { drawLane } from './stripDrawing.ts'
 import { StripTiles } from './stripTiles.ts'
-import type { Stretch } from './stripTiles.ts'
+import type { TimeSpan } from './stripTiles.ts'
 import { noteOf, stripText } from './stripWords.ts'
 
 /** With fewer pixels than this to a frame, the time around the cursor is shown enlarged [px]. */
@@ -136,7 +136,7 @@ class FrameStrip extends LitElement {
   }
 
   /** The whole run, and behind it the stretch that is enlarged. */
-  private drawOverview(window: Stretch | undefined): void {
+  private drawOverview(window: TimeSpan | undefined): void {
     const pen = emptied(this.querySelector('canvas')!, this.ticks)
     if (window) {
       const ratio = devicePixelRatio
@@ -151,7 +151,7 @@ class FrameStrip extends LitElement {
   }
 
   /** The stretch of time around the cursor that is enlarged: undefined where all frames can be seen anyway [s]. */
-  private window(): Stretch | undefined {
+  private window(): TimeSpan | undefined {
     const { runners, duration, playback, width } = this
     const densest = Math.max(0, ...runners.map(({ trajectory }) => frameRate(trajectory)))
     if (width === 0 || densest * duration <= width / DENSE) return undefined
@@ -169,7 +169,7 @@ class FrameStrip extends LitElement {
     return this.duration > 0 ? (this.width * time) / this.duration : 0
   }
 
-  private drawLanes(canvas: HTMLCanvasElement, noted: boolean, { from, to }: Stretch): void {
+  private drawLanes(canvas: HTMLCanvasElement, noted: boolean, { from, to }: TimeSpan): void {
     if (this.width === 0 || !(to > from)) return
     const ratio = devicePixelRatio
     const { boxes, height } = layOutLanes(this.runners, noted)
@@ -229,7 +229,7 @@ function coloursOf(element: Element): Colours {
 const NOTE = 17
 
 /** How high a lane is, and where its note stands [px]. */
-interface Lane {
+interface LaneLayout {
   readonly top: number
   readonly frames: number
   readonly steps: number
@@ -240,7 +240,7 @@ interface Lane {
 function layOutLanes(runners: readonly SimulatedRunner[], noted: boolean) {
   const plain = Math.max(8, 32 / runners.length)
   let height = 0
-  const boxes = runners.map((runner): Lane => {
+  const boxes = runners.map((runner): LaneLayout => {
     const top = height
     const stepping = clockworkOf(runner.trajectory).step !== undefined
     const frames = stepping ? 10 : plain

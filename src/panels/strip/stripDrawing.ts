@@ -3,7 +3,7 @@ import { rowAt } from '../../view/timeline.ts'
 import { clockworkOf, stepTimes } from '../../lab/state/clockwork.ts'
 
 /** A stretch of time on a canvas [s], all else in its own pixels. */
-export interface Axis {
+export interface StripAxis {
   readonly from: number
   readonly to: number
   readonly width: number
@@ -28,7 +28,7 @@ interface LaneColours {
 export function drawLane(
   pen: CanvasRenderingContext2D,
   trajectory: Trajectory,
-  axis: Axis,
+  axis: StripAxis,
   lane: LaneBox,
   colours: LaneColours,
 ): void {

@@ -1,5 +1,5 @@
 /** A stretch of time [s]. */
-export interface Stretch {
+export interface TimeSpan {
   readonly from: number
   readonly to: number
 }
@@ -10,9 +10,9 @@ export interface Stretch {
  */
 export class StripTiles {
   private readonly tiles = new Map<number, HTMLCanvasElement>()
-  private readonly drawTile: (canvas: HTMLCanvasElement, stretch: Stretch) => void
+  private readonly drawTile: (canvas: HTMLCanvasElement, stretch: TimeSpan) => void
 
-  constructor(drawTile: (canvas: HTMLCanvasElement, stretch: Stretch) => void) {
+  constructor(drawTile: (canvas: HTMLCanvasElement, stretch: TimeSpan) => void) {
     this.drawTile = drawTile
   }
 
@@ -22,7 +22,7 @@ export class StripTiles {
   }
 
   /** Draws a stretch, as long as a tile, over a canvas whose last tick is so wide [its pixels]. */
-  draw(pen: CanvasRenderingContext2D, { from, to }: Stretch, tick: number): void {
+  draw(pen: CanvasRenderingContext2D, { from, to }: TimeSpan, tick: number): void {
     const { width, height } = pen.canvas
     const length = to - from
     const first = Math.floor(from / length)

@@ -8,10 +8,10 @@ export function escaped(text: string): string {
 }
 
 /** Attributes by name. */
-export type Values = Readonly<Record<string, string | number | undefined>>
+export type Attributes = Readonly<Record<string, string | number | undefined>>
 
 /** Attributes with a space in front of each; what is undefined is left out. */
-export function attributes(values: Values): string {
+export function attributes(values: Attributes): string {
   return Object.entries(values)
     .filter(([, value]) => value !== undefined)
     .map(([name, value]) => ` ${name}="${escaped(String(value))}"`)

@@ -1,6 +1,6 @@
 import { textWidth } from './advances.ts'
 import { attributes, escaped } from './html.ts'
-import type { Values } from './html.ts'
+import type { Attributes } from './html.ts'
 import { applied, scaleOf } from './matrix.ts'
 import { decoded, encoded } from './palette.ts'
 import { short, SvgPath } from './svgPath.ts'
@@ -111,13 +111,13 @@ export class SvgContext extends SvgState {
     return { data: encoded(this.fillStyle) }
   }
 
-  private add(path: SvgPath | undefined, values: Values): void {
+  private add(path: SvgPath | undefined, values: Attributes): void {
     const data = path ? path.moved(this.matrix).data : this.path.data
     this.rim = ''
     if (data !== '') this.elements.push(`<path d="${data}"${attributes(values)}/>`)
   }
 
-  private write(text: string, x: number, y: number, values: Values): void {
+  private write(text: string, x: number, y: number, values: Attributes): void {
     this.rim = ''
     this.elements.push(textElement(this, text, x, y, { ...values, ...this.shared() }))
   }
@@ -129,7 +129,7 @@ function textElement(
   text: string,
   x: number,
   y: number,
-  values: Values = {},
+  values: Attributes = {},
 ): string {
   const matrix = state.getTransform()
   const { a, b, c, d, e, f } = matrix

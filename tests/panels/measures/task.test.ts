@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest'
 import { begin } from '../../../src/panels/measures/task.ts'
 import { Slices } from '../../../src/panels/measures/slices.ts'
-import type { Report } from '../../../src/panels/measures/slices.ts'
+import type { TaskReport } from '../../../src/panels/measures/slices.ts'
 import { rateMap, spreadMethods, sweep } from '../../../src/measure/index.ts'
 import type { MapRequest, SweepRequest } from '../../../src/measure/index.ts'
 
@@ -59,8 +59,8 @@ describe('a task', () => {
 
 describe('slices', () => {
   /** Everything that is told of a task until it is over. */
-  function all(slices: Slices, task: unknown): Promise<Report[]> {
-    const reports: Report[] = []
+  function all(slices: Slices, task: unknown): Promise<TaskReport[]> {
+    const reports: TaskReport[] = []
     return new Promise((resolve) =>
       slices.start(task, (report) => {
         reports.push(report)
