@@ -71,8 +71,8 @@ function together(runs: readonly ResolvedExperiment[]): LabState {
         ],
   )
   if (problems.length > 0) throw new ExperimentError(problems)
-  const runners = runs.map(({ frames, timestep, integrator, stopping }, look) => {
-    return { frames, timestep, integrator, stopping, look, hidden: false }
+  const runners = runs.map(({ frames, timestep, integrator, stopping }, paletteIndex) => {
+    return { frames, timestep, integrator, stopping, paletteIndex, hidden: false }
   })
   return { scene, parameters, duration, runners }
 }

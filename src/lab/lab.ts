@@ -218,11 +218,11 @@ export abstract class Lab extends LitElement implements LabView {
   override render() {
     const { simulated, playback, compact, panels } = this
     const { scene, exact, visible, state } = simulated
-    const runners = visible.map(({ trajectory, name, state: { look } }, i) => ({
+    const runners = visible.map(({ trajectory, name, state: { paletteIndex } }, i) => ({
       trajectory: this.drawn(trajectory, i),
       goal: trajectory,
       name,
-      look,
+      paletteIndex,
     }))
     const index = visible.indexOf(simulated.runners[this.selected]!)
     const selected = index < 0 ? undefined : index

@@ -4,13 +4,13 @@ import { drawMark } from '../view/marks.ts'
 /**
  * A runner's mark in its colour, the one that its dots have in the picture.
  *
- * - `look`: its place in the palette and the list of marks
+ * - `paletteIndex`: its place in the palette and the list of marks
  * - `hollow`: only its outline, for a runner that is hidden
  */
 class RunnerMark extends LitElement {
-  static override properties = { look: { type: Number }, hollow: { type: Boolean } }
+  static override properties = { paletteIndex: { type: Number }, hollow: { type: Boolean } }
 
-  declare look: number
+  declare paletteIndex: number
   declare hollow: boolean
 
   override createRenderRoot(): this {
@@ -19,11 +19,11 @@ class RunnerMark extends LitElement {
 
   // SVG, not a canvas: a browser asks every canvas of a page for its picture at every frame.
   override render() {
-    const { look, hollow } = this
-    const colour = `var(--runner-${look})`
+    const { paletteIndex, hollow } = this
+    const colour = `var(--runner-${paletteIndex})`
     return html`<svg aria-hidden="true" viewBox="-1.25 -1.25 2.5 2.5">
       <path
-        d=${markText(look)}
+        d=${markText(paletteIndex)}
         .style="fill: ${hollow ? 'none' : colour}; stroke: ${hollow ? colour : 'none'}"
       ></path>
     </svg>`
@@ -31,8 +31,8 @@ class RunnerMark extends LitElement {
 }
 
 /** A mark of the palette, the same as on a canvas, as a piece of SVG around a point. */
-export function svgMark(look: number, x: number, y: number, radius: number) {
-  return svg`<path class="mark" d=${markText(look)} transform="translate(${round(x)} ${round(y)}) scale(${radius})" />`
+export function svgMark(paletteIndex: number, x: number, y: number, radius: number) {
+  return svg`<path class="mark" d=${markText(paletteIndex)} transform="translate(${round(x)} ${round(y)}) scale(${radius})" />`
 }
 
 /** To a hundredth of a pixel. */
@@ -41,9 +41,9 @@ export function round(value: number): number {
 }
 
 /** A mark around the origin, of radius 1, as the value of a path element's `d`. */
-function markText(look: number): string {
+function markText(paletteIndex: number): string {
   const path = new MarkPath()
-  drawMark(path, look)
+  drawMark(path, paletteIndex)
   return path.text
 }
 

@@ -99,7 +99,7 @@ export interface Written {
 }
 
 function colours({ actor: { runner } }: Caption, palette: Palette): { fill: string; text: string } {
-  return runner ? palette.runners[runner.look]! : { fill: palette.ink, text: palette.ink }
+  return runner ? palette.runners[runner.paletteIndex]! : { fill: palette.ink, text: palette.ink }
 }
 
 /** The line from a block to its label; it is broken where there are `letters`. */
@@ -147,7 +147,7 @@ export function drawCaption(
   const baseline = box.bottom - 5
   const { name: left, flag } = partsOf(caption, box)
   if (actor.runner) {
-    const path = markOf(actor.runner.look, 4.6)
+    const path = markOf(actor.runner.paletteIndex, 4.6)
     context.save()
     context.translate(left + 5, baseline - 4.5)
     context.strokeStyle = palette.sheet

@@ -9,7 +9,7 @@ export interface PictureRunner {
   /** As its label says it: “10 fps”. */
   readonly name: string
   /** Its place in the palette of runner colours and in the list of marks, 0 … 7. */
-  readonly look: number
+  readonly paletteIndex: number
 }
 
 /** What an arrow on a block stands for. */

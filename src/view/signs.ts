@@ -11,11 +11,11 @@ export function drawRunner(
 ): void {
   const { runner, end, body, beyond } = actor
   if (!runner) return
-  const { fill } = palette.runners[runner.look]!
+  const { fill } = palette.runners[runner.paletteIndex]!
   const wrong = end && end.kind !== 'at-rest'
   context.save()
   if (wrong || beyond !== 0) context.globalAlpha = 0.25
-  fillBody(context, body, { look: runner.look, fill, mark: palette.sheet })
+  fillBody(context, body, { paletteIndex: runner.paletteIndex, fill, mark: palette.sheet })
   context.restore()
   if (wrong) drawCross(context, actor, fill)
   else if (beyond !== 0) drawChevron(context, actor, beyond, fill)

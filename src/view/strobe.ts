@@ -65,7 +65,7 @@ export function lanesOf(
     const radius = Math.min(dotRadius(runner.trajectory), 0.56 * layout.lanes.gap)
     const depth = layout.lanes.first + i * layout.lanes.gap
     const dots = dotsOf(runner, depth, radius, layout, projection, key)
-    const { fill } = palette.runners[runner.look]!
+    const { fill } = palette.runners[runner.paletteIndex]!
     return { ...dots, trajectory: runner.trajectory, radius, fill }
   })
 }

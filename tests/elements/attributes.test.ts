@@ -48,9 +48,9 @@ describe('attributes', () => {
     expect(rates('5, 3/2;60  144')).toEqual([5, 1.5, 60, 144])
     expect(rates(24)).toEqual([24])
     expect(rates([24, '30'])).toEqual([24, 30])
-    expect(stateAsked({ fps: '1 2 3 4 5 6 7 8' }).runners.map(({ look }) => look)).toEqual([
-      0, 1, 2, 3, 4, 5, 6, 7,
-    ])
+    expect(
+      stateAsked({ fps: '1 2 3 4 5 6 7 8' }).runners.map(({ paletteIndex }) => paletteIndex),
+    ).toEqual([0, 1, 2, 3, 4, 5, 6, 7])
   })
 
   it('take an experiment, and change what else they name in it', () => {

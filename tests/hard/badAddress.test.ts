@@ -20,9 +20,9 @@ const states: fc.Arbitrary<LabState> = fc
     parameters,
     // The runners come from other runs, whose clocks may ask for too much in this one's time.
     duration: Math.min(duration, 1),
-    runners: runners.map(([{ integrator, stopping, timestep, frames }, look, hidden]) => ({
+    runners: runners.map(([{ integrator, stopping, timestep, frames }, paletteIndex, hidden]) => ({
       ...{ integrator, stopping, timestep, frames },
-      ...{ look, hidden },
+      ...{ paletteIndex, hidden },
     })),
   }))
   .filter((state) => state.runners.every((runner) => runs(() => experimentOf(state, runner))))

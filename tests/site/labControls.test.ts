@@ -81,7 +81,7 @@ describe('a runner', () => {
     await page.getByRole('button', { name: 'Show 10 fps' }).click()
     expect(await spread()).toBe('0.23\u2009m')
     await page.getByRole('button', { name: 'Duplicate 30 fps' }).click()
-    expect((await state()).runners[2]).toEqual({ ...(await state()).runners[1], look: 3 })
+    expect((await state()).runners[2]).toEqual({ ...(await state()).runners[1], paletteIndex: 3 })
     await page.getByRole('button', { name: 'Remove 10 fps' }).click()
     expect(await rows.count()).toBe(3)
     const add = page.getByRole('button', { name: 'Add a runner' })

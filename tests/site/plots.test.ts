@@ -79,8 +79,8 @@ test('what is plotted is what simulate gives, and follows a change', async () =>
     all = runs,
   ) => {
     const curves = await lab.drawing(id)
-    all.forEach((run, look) => {
-      const { x, y, time } = curves.find((each) => each.look === look)!
+    all.forEach((run, paletteIndex) => {
+      const { x, y, time } = curves.find((each) => each.paletteIndex === paletteIndex)!
       expect(y.length).toBeGreaterThan(7)
       x.forEach((_, i) => {
         const row = run.time.indexOf(time[i]!)

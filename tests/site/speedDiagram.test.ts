@@ -62,8 +62,8 @@ describe('speed against error', () => {
     )
     await press(lab.page, 'Enter')
     const state = await lab.state()
-    const { look, hidden, ...method } = state.runners[0]!
-    expect({ look, hidden }).toEqual({ look: 0, hidden: false })
+    const { paletteIndex, hidden, ...method } = state.runners[0]!
+    expect({ paletteIndex, hidden }).toEqual({ paletteIndex: 0, hidden: false })
     expect(method).toEqual({
       frames: { kind: 'steady', fps: 10 },
       timestep: { kind: 'variable' },

@@ -25,7 +25,11 @@ function stillOf(runs: readonly Trajectory[], names: readonly string[]): Still {
     scene: scenes.find(({ id }) => id === scene)!,
     parameters,
     duration,
-    runners: runs.map((trajectory, look) => ({ trajectory, look, name: names[look]! })),
+    runners: runs.map((trajectory, paletteIndex) => ({
+      trajectory,
+      paletteIndex,
+      name: names[paletteIndex]!,
+    })),
     exact: exactMotion(first.experiment),
     handles: [],
   }

@@ -96,9 +96,9 @@ export function together(experiments: readonly Experiment[]): Experiment[][] {
 export function stateOf(experiments: readonly Experiment[]): LabState {
   const resolved = experiments.map(parseExperiment)
   const { scene, parameters } = resolved[0]!
-  const runners = resolved.map(({ frames, timestep, integrator, stopping }, look) => ({
+  const runners = resolved.map(({ frames, timestep, integrator, stopping }, paletteIndex) => ({
     ...{ frames, timestep, integrator, stopping },
-    ...{ look, hidden: false },
+    ...{ paletteIndex, hidden: false },
   }))
   return checked({ scene, parameters, runners, duration: durationOf(experiments) })
 }

@@ -76,9 +76,10 @@ function withRunner(state: LabState, index: number, values: object) {
 /** A runner more, after the one it is modelled on, in the first look that is free. */
 function withNew(state: LabState, model: number, values: Partial<RunnerState>): LabState {
   const { runners } = state
-  const taken = new Set(runners.map(({ look }) => look))
-  const look = Array.from({ length: MOST_RUNNERS }, (_, i) => i).find((i) => !taken.has(i)) ?? 0
-  const another = { ...runners[model]!, ...values, look, hidden: false }
+  const taken = new Set(runners.map(({ paletteIndex }) => paletteIndex))
+  const paletteIndex =
+    Array.from({ length: MOST_RUNNERS }, (_, i) => i).find((i) => !taken.has(i)) ?? 0
+  const another = { ...runners[model]!, ...values, paletteIndex, hidden: false }
   return checked({
     ...state,
     runners: [...runners.slice(0, model + 1), another, ...runners.slice(model + 1)],

@@ -43,13 +43,13 @@ export function checked(draft: Draft): LabState {
   let shared: Pick<ResolvedExperiment, 'scene' | 'parameters' | 'duration'> | undefined
   const runners: RunnerState[] = []
   draft.runners.slice(0, MOST_RUNNERS).forEach((runner, i) => {
-    const look = checkedLook(runner.look, `runners[${i}].look`, report)
+    const paletteIndex = checkedPaletteIndex(runner.paletteIndex, `runners[${i}].look`, report)
     try {
       const { scene, parameters, duration, ...own } = parseExperiment(
         experimentOf(draft as LabState, runner as RunnerState),
       )
       shared = { scene, parameters, duration }
-      runners.push({ ...own, look, hidden: runner.hidden === true })
+      runners.push({ ...own, paletteIndex, hidden: runner.hidden === true })
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
       for (const { path, message } of error.problems)
@@ -64,7 +64,7 @@ function isShared(path: string): boolean {
   return /^(scene|parameters|duration)\b/.test(path)
 }
 
-function checkedLook(
+function checkedPaletteIndex(
   value: unknown,
   path: string,
   report: (path: string, message: string) => void,

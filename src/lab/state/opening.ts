@@ -11,12 +11,12 @@ const openings: { readonly [id in SceneId]?: { duration: number; parameters: Par
   spring: { duration: 4, parameters: { position: 1.5 } },
 }
 
-const runners: readonly RunnerState[] = [10, 30, 120].map((fps, look) => ({
+const runners: readonly RunnerState[] = [10, 30, 120].map((fps, paletteIndex) => ({
   frames: { kind: 'steady', fps },
   timestep: { kind: 'variable' },
   integrator: 'semi-implicit-euler',
   stopping: 'clamped',
-  look,
+  paletteIndex,
   hidden: false,
 }))
 

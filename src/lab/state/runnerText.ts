@@ -32,12 +32,12 @@ export function readRunners(text: string, problems: Problem[]): DraftRunner[] {
 }
 
 function writeRunner(runner: RunnerState, turn: number): string {
-  const { frames, timestep, integrator, stopping, look, hidden } = runner
+  const { frames, timestep, integrator, stopping, paletteIndex, hidden } = runner
   const words = [frames.kind === 'steady' ? writeNumber(frames.fps) : call(frames, frameClocks)]
   if (timestep.kind !== defaults.timestep.kind) words.push(call(timestep, timesteps))
   if (integrator !== defaults.integrator) words.push(integrator)
   if (stopping !== defaults.stopping) words.push(stopping)
-  if (look !== turn) words.push(`look(${look})`)
+  if (paletteIndex !== turn) words.push(`look(${paletteIndex})`)
   if (hidden) words.push('hidden')
   return words.join('/')
 }
@@ -68,7 +68,7 @@ function readRunner(text: string, turn: number, problems: Problem[]): DraftRunne
   const runner: Record<keyof RunnerState, unknown> = {
     ...{ frames: defaults.frames, timestep: defaults.timestep },
     ...{ integrator: defaults.integrator, stopping: defaults.stopping },
-    ...{ look: turn, hidden: false },
+    ...{ paletteIndex: turn, hidden: false },
   }
   for (const word of split(text, '/')) {
     const [, id = word, inside] = /^([^()]*)(?:\((.*)\))?$/s.exec(word) ?? []
@@ -80,7 +80,7 @@ function readRunner(text: string, turn: number, problems: Problem[]): DraftRunne
     else if (policy) runner.timestep = { kind: id, ...readOptions(inside, policy.options) }
     else if (integrators.some((each) => each.id === word)) runner.integrator = word
     else if (stoppings.some((each) => each.id === word)) runner.stopping = word
-    else if (id === 'look' && inside) runner.look = readNumber(inside) ?? inside
+    else if (id === 'look' && inside) runner.paletteIndex = readNumber(inside) ?? inside
     else if (word === 'hidden') runner.hidden = true
     else problems.push({ path: `runners[${turn}]`, message: unknownWord(word) })
   }

@@ -4,7 +4,7 @@ import type { Parameters, ResolvedExperiment, SceneId } from '../../physics/inde
 export interface RunnerState extends Method {
   readonly frames: ResolvedExperiment['frames']
   /** Its place in the palette of runner colours and marks, 0 … 7. It keeps it when others come and go. */
-  readonly look: number
+  readonly paletteIndex: number
   readonly hidden: boolean
 }
 

@@ -97,7 +97,9 @@ class StepInspector extends LitElement {
     const seek = (to: number) => this.lab.playback.seek(time[to]!)
     const end = endOf(runner.trajectory)
     return html`
-      <p class="whose"><runner-mark .look=${runner.state.look}></runner-mark> ${runner.name}</p>
+      <p class="whose">
+        <runner-mark .paletteIndex=${runner.state.paletteIndex}></runner-mark> ${runner.name}
+      </p>
       ${stepper({ what: 'frame', from: 1, to: frames, at: row, go: seek })}
       ${
         end && end.row !== row

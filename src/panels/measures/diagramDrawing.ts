@@ -58,36 +58,36 @@ function frontierLine({ frontier }: DiagramLayout) {
 }
 
 function curve({ curve, spots }: Drawn, chosen: DiagramSpot | undefined) {
-  const { look, method } = curve
+  const { paletteIndex, method } = curve
   let pen = false
   const path = spots.map(({ x, y, point }) => {
     const text = point.whole ? `${pen ? 'L' : 'M'}${round(x)} ${round(y)}` : ''
     pen = point.whole
     return text
   })
-  return svg`<g class="curve" data-method=${method} .style="--look: var(--runner-${look})" ?data-chosen=${chosen?.point.method === method}>
+  return svg`<g class="curve" data-method=${method} .style="--look: var(--runner-${paletteIndex})" ?data-chosen=${chosen?.point.method === method}>
     <path class="line" d=${path.join('')} />
-    ${spots.map(({ x, y, point }) => (point.whole ? svgMark(look, x, y, 4.2) : svg`<path class="failure" d="M${round(x - 3.5)} ${round(y - 3.5)}l7 7m0-7l-7 7" />`))}
+    ${spots.map(({ x, y, point }) => (point.whole ? svgMark(paletteIndex, x, y, 4.2) : svg`<path class="failure" d="M${round(x - 3.5)} ${round(y - 3.5)}l7 7m0-7l-7 7" />`))}
   </g>`
 }
 
 /** A ring around a runner’s point. Its mark is at a place of its own, so that of several rings in one each can be told. */
 function ring({ x, y, point }: DiagramSpot) {
-  const { look, apart } = point.runner!
-  const turn = ((1 + look) * Math.PI) / 4
+  const { paletteIndex, apart } = point.runner!
+  const turn = ((1 + paletteIndex) * Math.PI) / 4
   const [across, up] = [8 * Math.cos(turn), 8 * Math.sin(turn)]
-  return svg`<g class="ring" ?data-apart=${apart} .style="--look: var(--runner-${look})">
+  return svg`<g class="ring" ?data-apart=${apart} .style="--look: var(--runner-${paletteIndex})">
     <circle class="halo" cx=${round(x)} cy=${round(y)} r="8" /><circle cx=${round(x)} cy=${round(y)} r="8" />
-    ${svgMark(look, x + across, y - up, 5)}
+    ${svgMark(paletteIndex, x + across, y - up, 5)}
   </g>`
 }
 
 function label({ right }: DiagramLayout, { curve, spots, labelY }: Drawn) {
   const last = spots.at(-1)
   const x = right + 16
-  return svg`<g class="name" .style="--look: var(--runner-${curve.look})">
+  return svg`<g class="name" .style="--look: var(--runner-${curve.paletteIndex})">
     ${last ? svg`<path class="lead" d="M${round(last.x + 7)} ${round(last.y)}L${right + 7} ${round(labelY)}" />` : nothing}
-    ${svgMark(curve.look, x, labelY, 4.6)}
+    ${svgMark(curve.paletteIndex, x, labelY, 4.6)}
     <text x=${x + 11} y=${labelY + 4}>${curve.label}<tspan class="order" dx="6">${short(curve.order)}</tspan></text>
   </g>`
 }

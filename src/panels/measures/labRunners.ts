@@ -7,7 +7,7 @@ import type { DiagramCurve, DiagramPoint } from './points.ts'
 export interface LabRunner {
   readonly name: string
   /** Place in the palette and the list of marks. */
-  readonly look: number
+  readonly paletteIndex: number
   readonly point: DiagramPoint | undefined
   readonly why: string
 }
@@ -29,13 +29,13 @@ export function labRunners(
   shared: Shared,
   timed: readonly DiagramCurve[] | undefined,
 ): LabRunner[] {
-  return runners.map(({ name, state: { look }, trajectory }) => {
+  return runners.map(({ name, state: { paletteIndex }, trajectory }) => {
     const { integrator: method, stopping, timestep, frames } = trajectory.experiment
     const rate = frames.kind === 'steady' ? frames.fps : NaN
     const apart = stopping !== shared.stopping || timestep.kind !== 'variable'
     const isTimed = !apart && sweepRates.includes(rate)
     const why = whyNot(trajectory, shared) || (timed && !isTimed ? 'its time is not taken' : '')
-    if (why) return { name, look, why, point: undefined }
+    if (why) return { name, paletteIndex, why, point: undefined }
     const curve = timed?.find((each) => each.method === method)
     const cost = timed
       ? (curve?.points.find((point) => point.rate === rate)?.cost ?? NaN)
@@ -44,8 +44,8 @@ export function labRunners(
     errors.set(trajectory, error)
     const { kind: outcome } = trajectory.outcome
     const whole = (outcome === 'moving' || outcome === 'at-rest') && Number.isFinite(error)
-    const runner = { name, look, apart }
-    return { name, look, why, point: { method, rate, cost, error, outcome, whole, runner } }
+    const runner = { name, paletteIndex, apart }
+    return { name, paletteIndex, why, point: { method, rate, cost, error, outcome, whole, runner } }
   })
 }
 

@@ -34,7 +34,7 @@ export function mapFrame(width: number, height: number): MapFrame {
 export function mapDrawing(
   request: MapRequest,
   frame: MapFrame,
-  here: (MapPlace & { look: number }) | undefined,
+  here: (MapPlace & { paletteIndex: number }) | undefined,
   cross: MapPlace | undefined,
 ) {
   const { width, height, left, right, top, bottom } = frame
@@ -72,7 +72,7 @@ export function mapDrawing(
       </text>
     </g>
     ${limit(request, frame)}
-    ${here ? svg`<g class="here" .style="--look: var(--runner-${here.look})">${svgMark(here.look, columnX(request, frame, here.column), rowY(request, frame, here.row), 6)}</g>` : nothing}
+    ${here ? svg`<g class="here" .style="--look: var(--runner-${here.paletteIndex})">${svgMark(here.paletteIndex, columnX(request, frame, here.column), rowY(request, frame, here.row), 6)}</g>` : nothing}
     ${cross ? crossHair(request, frame, cross) : nothing}
   </svg>`
 }

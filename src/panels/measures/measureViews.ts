@@ -87,7 +87,7 @@ class MeasureViews extends LitElement {
       case 'map':
         return html`<rate-map
           .experiment=${experiment}
-          .look=${runner.state.look}
+          .paletteIndex=${runner.state.paletteIndex}
           .load=${this.load}
         ></rate-map>`
       case 'spread':

@@ -57,7 +57,7 @@ export interface DiagramPoint {
 export interface DiagramRunner {
   readonly name: string
   /** Place in the palette and the list of marks. */
-  readonly look: number
+  readonly paletteIndex: number
   /** Its stopping rule or its time step is not that of the curves: it lies beside its method's. */
   readonly apart: boolean
 }
@@ -67,7 +67,7 @@ export interface DiagramCurve {
   readonly method: IntegratorId
   readonly label: string
   /** Place in the palette and the list of marks. */
-  readonly look: number
+  readonly paletteIndex: number
   readonly points: readonly DiagramPoint[]
   /** What was found of its order, in a word or two. */
   readonly order: string
@@ -93,7 +93,9 @@ export function diagramCurves(
       whole: counts(curve, i),
     }))
     const order = orderText(curve, rates)
-    return [{ method: curve.method, label, look: colour, points, order, exact: isExact(curve) }]
+    return [
+      { method: curve.method, label, paletteIndex: colour, points, order, exact: isExact(curve) },
+    ]
   })
 }
 

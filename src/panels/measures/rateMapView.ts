@@ -25,20 +25,20 @@ import type { PictureChoice } from './pictureArea.ts'
  * A map of a method's error over frame rates and a parameter, measured while it can be seen.
  *
  * - `experiment`: the selected runner's, with nothing left out
- * - `look`: the runner's, for the mark that says where it is
+ * - `paletteIndex`: the runner's, for the mark that says where it is
  * - `load`: called with the run that the reader wants to see
  */
 class RateMap extends LitElement implements MapChoice {
   static override properties = {
     experiment: { attribute: false },
-    look: { attribute: false },
+    paletteIndex: { attribute: false },
     method: { state: true },
     of: { state: true },
     parameter: { state: true },
   }
 
   declare experiment: ResolvedExperiment
-  declare look: number
+  declare paletteIndex: number
   /** Not reactive: a fresh closure is no reason to draw again. */
   declare load: (measured: Measured) => void
   /** What is measured of the map that is seen. */
@@ -135,7 +135,7 @@ class RateMap extends LitElement implements MapChoice {
     const { frames, parameters } = this.experiment
     if (!('fps' in frames)) return undefined
     const place = placeOf(this.request, frames.fps, parameters[this.parameter]!)
-    return place && { ...place, look: this.look }
+    return place && { ...place, paletteIndex: this.paletteIndex }
   }
 
   /** Has the run of a cell shown, if it can be run. */

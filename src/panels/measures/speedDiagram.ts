@@ -163,7 +163,7 @@ export function curveKey(curves: readonly DiagramCurve[]) {
     ${integrators.map(
       ({ id, label, colour }) =>
         html`<li>
-          <runner-mark .look=${colour}></runner-mark> ${label}
+          <runner-mark .paletteIndex=${colour}></runner-mark> ${label}
           <span class="soft">${curves.find(({ method }) => method === id)?.order}</span>
         </li>`,
     )}
@@ -175,9 +175,9 @@ export function ringKey(runners: readonly LabRunner[]) {
   return html`<ul class="key ring-key">
     <li class="soft">Rings: the lab’s runners</li>
     ${runners.map(
-      ({ name, look, point, why }) =>
+      ({ name, paletteIndex, point, why }) =>
         html`<li title=${point ? `${raw(point.error)} m` : ''}>
-          <runner-mark .look=${look}></runner-mark> ${name}
+          <runner-mark .paletteIndex=${paletteIndex}></runner-mark> ${name}
           <span class="soft">${point ? errorText(point) : `no ring: ${why}`}</span>
         </li>`,
     )}

@@ -22,7 +22,7 @@ export function clip(pen: CanvasRenderingContext2D, box: Box, room: number): voi
 }
 
 /** How a chart is drawn. */
-export interface ChartLook {
+export interface ChartStyle {
   readonly palette: Palette
   /** The index of the runner whose curve is drawn stronger. */
   readonly selected: number
@@ -34,8 +34,8 @@ export interface ChartLook {
 const dense: Omit<AxisSizes, 'ratio'> = { font: 11, across: 48, up: 28, left: 6, below: 15 }
 
 /** Draws the axes and all curves, each runner's with its marks. */
-export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, look: ChartLook): void {
-  const { palette, selected, width, height } = look
+export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, style: ChartStyle): void {
+  const { palette, selected, width, height } = style
   const pen = cleared(canvas, width, height)
   const box = boxOf(width, height)
   const graph = graphIn(box, drawing.across, drawing.up)
@@ -48,10 +48,10 @@ export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, look: Cha
   )
   pen.lineJoin = 'round'
   for (const curve of drawing.curves) {
-    const isExact = curve.look === EXACT
+    const isExact = curve.paletteIndex === EXACT
     const isSelected = curve.index === selected
     const spots = spotsOf(curve, graph)
-    const colour = isExact ? palette.ink : palette.runners[curve.look]!.fill
+    const colour = isExact ? palette.ink : palette.runners[curve.paletteIndex]!.fill
     pen.save()
     clip(pen, box, 1)
     pen.strokeStyle = colour
@@ -64,7 +64,7 @@ export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, look: Cha
     pen.restore()
     if (isExact) continue
     pen.fillStyle = colour
-    drawMarks(pen, curve.look, spots, { box, stepped, radius: isSelected ? 4.5 : 3.5 })
+    drawMarks(pen, curve.paletteIndex, spots, { box, stepped, radius: isSelected ? 4.5 : 3.5 })
   }
 }
 
@@ -95,7 +95,7 @@ const MOST = 24
 /** Draws marks on frames of a runner's curve, far enough from each other to be told apart; `radius` in pixels. */
 function drawMarks(
   pen: CanvasRenderingContext2D,
-  look: number,
+  paletteIndex: number,
   spots: readonly Point[],
   { box, stepped, radius }: { box: Box; stepped: boolean; radius: number },
 ): void {
@@ -112,12 +112,12 @@ function drawMarks(
   })
   const gap = Math.max(GAP, length / MOST)
   // Not all at the same places, so that marks of curves that lie on each other are seen.
-  let due = (gap * (look % 4)) / 4
+  let due = (gap * (paletteIndex % 4)) / 4
   let last = 0
   spots.forEach((spot, i) => {
     if (far(i, last) < due) return
     last = i
     due = gap
-    if (seen(spot)) pen.fill(markPath(look, spot.x, spot.y, radius))
+    if (seen(spot)) pen.fill(markPath(paletteIndex, spot.x, spot.y, radius))
   })
 }

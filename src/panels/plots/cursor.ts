@@ -35,14 +35,14 @@ export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette:
     drawLine(pen, graph, time, palette.accent, hover === undefined ? 1.5 : 1)
     if (hover !== undefined) drawLine(pen, graph, hover, palette.ink, 1)
   }
-  for (const { look, x, y } of readings) {
+  for (const { paletteIndex, x, y } of readings) {
     const over = drawing.stepped ? (hover ?? time) : x
     const spot = { x: graph.x(over), y: graph.y(y) }
     if (!Number.isFinite(spot.x) || !Number.isFinite(spot.y)) continue
     pen.lineWidth = 3
     pen.strokeStyle = palette.sheet
-    pen.fillStyle = look === EXACT ? palette.ink : palette.runners[look]!.fill
-    const mark = look === EXACT ? disc() : markOf(look, 5.5)
+    pen.fillStyle = paletteIndex === EXACT ? palette.ink : palette.runners[paletteIndex]!.fill
+    const mark = paletteIndex === EXACT ? disc() : markOf(paletteIndex, 5.5)
     pen.translate(spot.x, spot.y)
     pen.stroke(mark)
     pen.fill(mark)

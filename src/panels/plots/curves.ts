@@ -13,7 +13,7 @@ export const EXACT = 8
 /** A curve as it is drawn: places on both axes, and the times they belong to [s]. */
 export interface Curve {
   /** Of its runner, or EXACT. */
-  readonly look: number
+  readonly paletteIndex: number
   readonly index: number
   readonly x: readonly number[]
   readonly y: readonly number[]
@@ -54,7 +54,7 @@ export function drawingOf(
     const y = of.values(trajectory)
     const rows = thinned(x, y)
     return {
-      look: runner.state.look,
+      paletteIndex: runner.state.paletteIndex,
       index: runners.indexOf(runner),
       x: rows.map((row) => across.at(x[row]!)),
       y: rows.map((row) => up.at(y[row]!)),
@@ -77,5 +77,5 @@ function trueCurve({ over, of }: PlotKind, samples: Samples, thinned: Thinned): 
   const y = values(of)
   const rows = thinned(x, y)
   const picked = (from: Float64Array) => rows.map((row) => from[row]!)
-  return { look: EXACT, index: -1, x: picked(x), y: picked(y), time: picked(time) }
+  return { paletteIndex: EXACT, index: -1, x: picked(x), y: picked(y), time: picked(time) }
 }

@@ -182,8 +182,8 @@ class LabPlot extends LitElement {
       this.drawn = wanted
       this.drawing = drawingOf(kind, simulated, width, height)
       this.palette = this.colours.read()
-      const look = { palette: this.palette, selected, width, height }
-      drawChart(this.querySelector('canvas.chart')!, this.drawing, look)
+      const style = { palette: this.palette, selected, width, height }
+      drawChart(this.querySelector('canvas.chart')!, this.drawing, style)
     }
     this.drawCursor()
   }

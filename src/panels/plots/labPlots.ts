@@ -54,7 +54,9 @@ class LabPlots extends LitElement {
         <ul class="key">
           ${simulated.visible.map(
             ({ name, state }) =>
-              html`<li><runner-mark .look=${state.look}></runner-mark> ${name}</li>`,
+              html`<li>
+                <runner-mark .paletteIndex=${state.paletteIndex}></runner-mark> ${name}
+              </li>`,
           )}
           <li><span class="dash" aria-hidden="true"></span> exact</li>
         </ul>

@@ -10,7 +10,7 @@ import type { PlotKind } from './kinds.ts'
 export interface PlotReading {
   readonly name: string
   /** Of its runner, or EXACT. */
-  readonly look: number
+  readonly paletteIndex: number
   /** Across and up. */
   readonly x: number
   readonly y: number
@@ -23,11 +23,11 @@ export interface PlotReading {
 export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): PlotReading[] {
   const { exact, visible } = simulated
   const { over, of } = kind
-  const readings = visible.map(({ name, trajectory, state: { look } }): PlotReading => {
+  const readings = visible.map(({ name, trajectory, state: { paletteIndex } }): PlotReading => {
     const row = rowAt(trajectory, time)
     const frame = trajectory.time[row]!
     const x = over ? over.values(trajectory)[row]! : frame
-    return reading(kind, name, look, x, of.values(trajectory)[row]!, frame)
+    return reading(kind, name, paletteIndex, x, of.values(trajectory)[row]!, frame)
   })
   if (!of.ofExact) return readings
   const state = exact(time, { s: 0, v: 0 })
@@ -54,13 +54,13 @@ export function inFull({ over, of }: PlotKind, { name, x, y, time }: PlotReading
 function reading(
   { over, of }: PlotKind,
   name: string,
-  look: number,
+  paletteIndex: number,
   x: number,
   y: number,
   time: number,
 ): PlotReading {
   return {
-    ...{ name, look, x, y, time },
+    ...{ name, paletteIndex, x, y, time },
     // Only when it is to be read: cursors are drawn more often.
     get text() {
       return over ? `${over.text(x)}, ${of.text(y)}` : of.text(y)
@@ -78,18 +78,18 @@ export function plotValues(
   readings: readonly PlotReading[],
   pointed: (event: PointerEvent) => void,
 ) {
-  const looks = [
-    ...visible.map(({ state, name }) => ({ look: state.look, name })),
-    ...(kind.of.ofExact ? [{ look: EXACT, name: 'exact' }] : []),
+  const rows = [
+    ...visible.map(({ state, name }) => ({ paletteIndex: state.paletteIndex, name })),
+    ...(kind.of.ofExact ? [{ paletteIndex: EXACT, name: 'exact' }] : []),
   ]
   return html`<ul class="values" data-pair=${kind.over ? '' : nothing} @pointerover=${pointed}>
-    ${looks.map(({ look, name }, i) => {
+    ${rows.map(({ paletteIndex, name }, i) => {
       const reading = readings[i]
       return html`<li data-index=${i}>
         ${
-          look === EXACT
+          paletteIndex === EXACT
             ? html`<span class="dash" aria-hidden="true"></span>`
-            : html`<runner-mark .look=${look}></runner-mark>`
+            : html`<runner-mark .paletteIndex=${paletteIndex}></runner-mark>`
         }<span class="visually-hidden">${name}</span>
         <span class="value">${reading?.text ?? '–'}</span>
       </li>`

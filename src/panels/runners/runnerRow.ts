@@ -57,7 +57,7 @@ class RunnerRow extends LitElement {
         role="group"
         aria-label=${name}
         ?data-hidden=${state.hidden}
-        .style="--colour: var(--runner-${state.look})"
+        .style="--colour: var(--runner-${state.paletteIndex})"
         @focusin=${this.select}
         @pointerdown=${this.select}
         @change=${this.select}
@@ -72,9 +72,9 @@ class RunnerRow extends LitElement {
   }
 
   private mark() {
-    const { look, hidden } = this.runner.state
+    const { paletteIndex, hidden } = this.runner.state
     return html`<span class="mark"
-      ><runner-mark .look=${look} .hollow=${hidden}></runner-mark
+      ><runner-mark .paletteIndex=${paletteIndex} .hollow=${hidden}></runner-mark
     ></span>`
   }
 

@@ -21,7 +21,7 @@ export function runnersTable(lab: LabView) {
     </div>
     ${repeat(
       runners,
-      ({ state }) => state.look,
+      ({ state }) => state.paletteIndex,
       (runner, index) =>
         html`<runner-row
           .lab=${lab}
@@ -56,7 +56,7 @@ function notes({ simulated, selected }: LabView) {
   const runner = simulated.runners[selected]
   if (!runner) return ''
   const { integrator, stopping, timestep, frames } = runner.state
-  return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.look})">
+  return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.paletteIndex})">
     ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
     ${note(frameClocks, frames.kind)}
   </dl>`

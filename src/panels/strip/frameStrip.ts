@@ -175,7 +175,7 @@ class FrameStrip extends LitElement {
     const { boxes, height } = layOutLanes(this.runners, noted)
     const width = Math.round(this.width * ratio)
     const pen = emptied(canvas, { width, height: Math.round(height * ratio) })
-    const { looks, line, wrong } = this.colours
+    const { runnerColours, line, wrong } = this.colours
     this.runners.forEach(({ state, trajectory }, i) => {
       const { top, frames, steps } = boxes[i]!
       const tick = Math.min(frames * ratio - ratio, 7 * ratio)
@@ -184,7 +184,7 @@ class FrameStrip extends LitElement {
         tick,
         steps: Math.max(0, steps - 2) * ratio,
       }
-      const runner = looks[state.look]!
+      const runner = runnerColours[state.paletteIndex]!
       drawLane(pen, trajectory, { from, to, width, ratio }, lane, { runner, line, wrong })
     })
   }
@@ -204,7 +204,7 @@ function emptied(
 }
 
 interface Colours {
-  readonly looks: readonly string[]
+  readonly runnerColours: readonly string[]
   readonly line: string
   readonly wrong: string
   readonly ground: string
@@ -216,7 +216,7 @@ function coloursOf(element: Element): Colours {
   const style = getComputedStyle(element)
   const colour = (name: string) => style.getPropertyValue(name)
   return {
-    looks: Array.from({ length: MOST_RUNNERS }, (_, i) => colour(`--runner-${i}`)),
+    runnerColours: Array.from({ length: MOST_RUNNERS }, (_, i) => colour(`--runner-${i}`)),
     line: colour('--line'),
     wrong: colour('--wrong'),
     ground: colour('--ground'),

@@ -28,10 +28,10 @@ export function labStill(): string {
   const simulated = new Simulation().run(opening)
   const { scene, exact, visible, state } = simulated
   const { parameters, duration } = state
-  const runners = visible.map(({ trajectory, name, state: { look } }) => ({
+  const runners = visible.map(({ trajectory, name, state: { paletteIndex } }) => ({
     trajectory,
     name,
-    look,
+    paletteIndex,
   }))
   const svg = svgOf('lab', size, (context) => {
     const canvas = { clientWidth: size.width, clientHeight: size.height, getContext: () => context }

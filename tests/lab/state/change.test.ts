@@ -106,12 +106,12 @@ describe('runners', () => {
   test('come up to eight, each in a look of its own, and keep theirs when others go', () => {
     let state = opening
     while (state.runners.length < 8) state = changed(state, { kind: 'add' })
-    expect(new Set(state.runners.map(({ look }) => look)).size).toBe(8)
+    expect(new Set(state.runners.map(({ paletteIndex }) => paletteIndex)).size).toBe(8)
     expect(() => changed(state, { kind: 'add' })).toThrow('9 are not in 1…8')
     const gone = changed(state, { kind: 'remove', index: 2 })
-    expect(gone.runners.map(({ look }) => look)).toEqual([0, 1, 3, 4, 5, 6, 7])
+    expect(gone.runners.map(({ paletteIndex }) => paletteIndex)).toEqual([0, 1, 3, 4, 5, 6, 7])
     const back = changed(gone, { kind: 'duplicate', index: 0 })
-    expect(back.runners[1]).toEqual({ ...back.runners[0], look: 2 })
+    expect(back.runners[1]).toEqual({ ...back.runners[0], paletteIndex: 2 })
   })
 
   test('an option that two clocks share keeps its value, the others begin at theirs', () => {

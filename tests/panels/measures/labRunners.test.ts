@@ -21,7 +21,7 @@ const like: RunnerState = {
   timestep: { kind: 'variable' },
   integrator: 'midpoint',
   stopping: 'located',
-  look: 0,
+  paletteIndex: 0,
   hidden: false,
 }
 
@@ -31,7 +31,7 @@ function lab(scene: SceneId, runners: readonly Partial<RunnerState>[], duration?
   const state = {
     ...opening,
     duration: duration ?? opening.duration,
-    runners: runners.map((each, look) => ({ ...like, look, ...each })),
+    runners: runners.map((each, paletteIndex) => ({ ...like, paletteIndex, ...each })),
   }
   return new Simulation().run(state)
 }
@@ -62,7 +62,7 @@ describe('a runner of the lab', () => {
       expect(why).toBe('')
       expect(point!.error).toBe(presentationErrors(trajectory).largest)
       expect(point!.cost).toBe(evaluationsPerSecond(trajectory))
-      expect(point!.runner).toMatchObject({ look: i, apart: i === 1 })
+      expect(point!.runner).toMatchObject({ paletteIndex: i, apart: i === 1 })
     }
     const own = pipe.find(({ method }) => method === 'midpoint')!
     const [{ point }] = placed as [(typeof placed)[number]]

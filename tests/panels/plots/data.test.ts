@@ -18,7 +18,8 @@ function simulated(...changes: Change[]): Simulated {
   return new Simulation().run(changes.reduce(changed, opening))
 }
 
-const curve = (drawing: Drawing, look: number) => drawing.curves.find((each) => each.look === look)!
+const curve = (drawing: Drawing, paletteIndex: number) =>
+  drawing.curves.find((each) => each.paletteIndex === paletteIndex)!
 
 /** So wide that every frame has its column. */
 const WIDE = 5000
@@ -104,8 +105,10 @@ test('swings that cannot be followed are a band over time, and no tangle over po
 
 test('hidden runners are not plotted', () => {
   const lab = simulated({ kind: 'runner', index: 1, values: { hidden: true } })
-  const looks = drawingOf(kind('position'), lab, WIDE, 200).curves.map(({ look }) => look)
-  expect(looks).toEqual([0, 2, EXACT])
+  const paletteIndices = drawingOf(kind('position'), lab, WIDE, 200).curves.map(
+    ({ paletteIndex }) => paletteIndex,
+  )
+  expect(paletteIndices).toEqual([0, 2, EXACT])
   expect(readingsAt(kind('position'), lab, 0.5)).toHaveLength(3)
 })
 
