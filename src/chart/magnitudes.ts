@@ -48,7 +48,7 @@ export function decadeText(exponent: number): string {
     : `${String(10 ** rest)}${thin}${prefixes[group]!}m`
 }
 
-/** The same with three figures at most before the unit: “100 mm”, “1 µm”, “10 km”. */
+/** The same with three digits at most before the unit: “100 mm”, “1 µm”, “10 km”. */
 export function decadeTick(exponent: number): string {
   if (exponent >= 6) return `${plain(10 ** exponent)}${thin}m`
   if (exponent >= 3) return `${10 ** (exponent - 3)}${thin}km`

@@ -1,4 +1,4 @@
-/** Words and figures on a canvas. Digits are all set as wide as a 0: a figure that changes does not jitter. */
+/** Words and numbers on a canvas. Digits are all set as wide as a 0, so that a number that changes does not jitter. */
 
 export type Align = 'left' | 'center' | 'right'
 

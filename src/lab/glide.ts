@@ -9,7 +9,7 @@ const MOST_ROWS = 20_000
 
 /**
  * Lets the blocks of a lab glide from where they were to where a change puts them, if motion is welcome. Only what is
- * drawn glides: the lab's state and its figures are the new ones at once. Meanwhile the host has the attribute
+ * drawn glides: the lab's state and its numbers are the new ones at once. Meanwhile the host has the attribute
  * `gliding`.
  */
 export class Glide implements ReactiveController {

@@ -14,7 +14,7 @@ import { Playback } from './playback/playback.ts'
 import { shortcut } from './playback/shortcuts.ts'
 import type { Preset } from './presets/preset.ts'
 import { sceneTabs } from './sceneTabs.ts'
-import { spreadFigure } from './spreadFigure.ts'
+import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
 import type { Change } from './state/change.ts'
 import { undoGroupOf } from './state/history.ts'
@@ -236,7 +236,7 @@ export abstract class Lab extends LitElement implements LabView {
             ? nothing
             : html`<div class="masthead">${sceneTabs(this, this.sceneName)} ${tools(this)}</div>`
         }
-        <div class="opening">${modeButtons(this)} ${spreadFigure(this)}</div>
+        <div class="opening">${modeButtons(this)} ${spreadNumber(this)}</div>
         ${presetNote(this)}
         <slide-stage
           part="stage"

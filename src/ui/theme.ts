@@ -1,6 +1,6 @@
 const followers = new Set<() => void>()
 
-/** Calls back whenever the page's colours may have changed: for what reads them once, such as a canvas. Returns its undoing. */
+/** Calls back whenever the page's colours may have changed: for what reads them once, such as a canvas. Returns a function that unsubscribes. */
 export function onThemeChange(callback: () => void): () => void {
   const observer = new MutationObserver(callback)
   observer.observe(document.documentElement, { attributeFilter: ['data-theme'] })

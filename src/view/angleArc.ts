@@ -27,7 +27,7 @@ export function drawAngle(
   const { spring, bend } = viewOf(scene)
   const foot = bend?.(parameters).from ?? drawnEnds(layout).to
   const slope = (foot - drawnEnds(layout).from) * layout.camera.scale
-  // Far enough out for the figure to have room between the horizontal and the dots under the track.
+  // Far enough out for the number to have room between the horizontal and the dots under the track.
   const room = lanes.depth + 22
   const radius = clamp(room / Math.tan(angle), 60, Math.max(60, 0.45 * slope))
 

@@ -75,7 +75,7 @@ function inOrder(captions: readonly Caption[], projection: Projection, vertical:
   }
 }
 
-/** Beside a fall, to the right of the arrow and its figure; where the canvas is too narrow, above or below these. */
+/** Beside a fall, to the right of the arrow and its number; where the canvas is too narrow, above or below these. */
 function column(
   captions: readonly Caption[],
   obstacles: readonly Box[],

@@ -4,7 +4,7 @@ import type { Point } from '../chart/geometry.ts'
 /** One simulated block in a picture. */
 export interface PictureRunner {
   readonly trajectory: Trajectory
-  /** The run that its figures tell of, where that is not the one drawn: while it glides from one to the other. */
+  /** The run that its numbers tell of, where that is not the one drawn: while it glides from one to the other. */
   readonly goal?: Trajectory | undefined
   /** As its label says it: “10 fps”. */
   readonly name: string

@@ -35,7 +35,7 @@ export function drawPost(
     const y = zero + i * pixels
     const whole = i % 5 === 0
     line(context, left, y, left + (whole ? 9 : 4), y)
-    // Half a figure at the edge would be none.
+    // Half a number at the edge could not be read.
     if (whole && y > 9 && y < height - 9) {
       const unit = i === 0 ? ' m' : ''
       write(context, fixed((i / 5) * step, decimals) + unit, left - 7, y + 4, { align: 'right' })

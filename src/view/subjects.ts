@@ -38,8 +38,8 @@ export function subjectsOf(
   const side = Math.max(0.8 * block, 0.8 * reach)
   // A stack that would take half the canvas goes on beside itself.
   const labels = Math.min((runners.length + 1) * row + 1.35 * block + 12, 0.46 * height)
-  // At the start the labels stand on the arrow's figure.
-  const figure = 24
+  // At the start the labels stand on the arrow's number.
+  const number = 24
   // Labels keep clear of the arrows too.
   const stack = Math.min(labels + 0.35 * reach, Math.max(labels, 0.5 * height))
   const above = falls ? Math.max(block, reach) : Math.max(stack, reach + block / 2)
@@ -47,7 +47,7 @@ export function subjectsOf(
   const subjects = samples(extent).map((s) => subject(s, side, side, above, below))
 
   const start = parameters.position!
-  subjects.push(subject(start, side, side, Math.min(above + figure, 0.46 * height), below))
+  subjects.push(subject(start, side, side, Math.min(above + number, 0.46 * height), below))
   const { along, out } = unit.at(start)
   const middle = moved({ x: 0, y: 0 }, out, block / 2)
   subjects.push(beside(start, moved(middle, along, arrowReach(picture, sizes.arrow)), 30))

@@ -16,7 +16,7 @@ interface PlaybackHost extends ReactiveControllerHost, HTMLElement {
 const LONGEST_FRAME = 0.1
 
 /**
- * While it plays, so long lies between two writings of what is read [ms]: nobody reads figures that change faster, and to
+ * While it plays, so long lies between two writings of what is read [ms]: nobody reads numbers that change faster, and to
  * lay out and paint text costs more than all that moves.
  */
 const WRITING = 95

@@ -11,7 +11,7 @@ export interface RunnerState extends Method {
 /** A way to turn frames into motion. */
 export type Method = Readonly<Pick<ResolvedExperiment, 'timestep' | 'integrator' | 'stopping'>>
 
-/** All that a lab shows, as a plain value: from it follows every figure and every pixel. */
+/** All that a lab shows, as a plain value: every number and every pixel follows from it. */
 export interface LabState {
   readonly scene: SceneId
   /** All of the scene's parameters. */

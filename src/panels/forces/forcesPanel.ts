@@ -30,7 +30,7 @@ export class ForcesSwitch {
   }
 }
 
-/** The switch for the forces, and while it is on a legend whose figures are those that the arrows are drawn from. */
+/** The switch for the forces, and while it is on a legend of the numbers that the arrows are drawn from. */
 function forcesPanel(lab: LabView, shown: boolean, show: (shown: boolean) => void) {
   const looked = shown ? lookedAt(lab) : undefined
   return html`<section class="forces">
@@ -114,7 +114,7 @@ function frictionLine({ runner, largest }: Looked, forces: BlockForces) {
   return html`<p class="friction-line">${set}</p>`
 }
 
-/** A figure with as many decimals as the largest of its kind makes worth reading, so that it keeps its width. */
+/** A number with as many decimals as the largest of its kind makes worth reading, so that it keeps its width. */
 export function quantity(value: number, largest: number): string {
   const size = Math.max(largest, Math.abs(value))
   if (!(size < 1e5) || (size > 0 && size < 0.01)) return plain(rounded(value, size))

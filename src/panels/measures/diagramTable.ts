@@ -3,7 +3,7 @@ import { plain, raw } from '../../chart/numbers.ts'
 import { errorText } from './diagramWords.ts'
 import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 
-/** The diagram in figures: a row for each rate and each runner of the lab, the error and the cost of each method. */
+/** The diagram in numbers: a row for each rate and each runner of the lab, the error and the cost of each method. */
 export function diagramTable(
   curves: readonly DiagramCurve[],
   runners: readonly DiagramPoint[],

@@ -76,7 +76,7 @@ class RateMap extends LitElement implements MapChoice {
     this.parameter = parameterFor(this.experiment, this.parameter)
     const { request } = this
     this.measuring.want({ kind: 'map', request })
-    // As yet without a figure, it has all its room.
+    // It takes all its room before anything is measured.
     this.cells ??= new MapCells(request)
   }
 

@@ -128,7 +128,7 @@ class SpreadView extends LitElement {
         const spread = spreads?.[column]
         if (spread === undefined) return html`<td>…</td>`
         const text = Number.isFinite(spread) ? sizeText(spread) : 'without bound'
-        const [figure, remark] = text.split(/ (?=\()/)
+        const [number, remark] = text.split(/ (?=\()/)
         return html`<td ?data-exact=${remark !== undefined}>
           <button
             type="button"
@@ -137,7 +137,7 @@ class SpreadView extends LitElement {
             aria-label="${name}, ${label}: ${text}. Show it in the lab"
             @click=${() => this.load(id, method, `${name}, ${label.toLowerCase()}`, `Its frame-rate spread, from 5 to 240 fps, is ${text}.`)}
           >
-            ${figure}${remark ? html` <small>${remark}</small>` : nothing}
+            ${number}${remark ? html` <small>${remark}</small>` : nothing}
           </button>
         </td>`
       })}

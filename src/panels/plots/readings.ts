@@ -47,8 +47,8 @@ export function spoken(
 
 /** A reading with every digit, and the time of the frame that shows it. */
 export function inFull({ over, of }: PlotKind, { name, x, y, time }: PlotReading): string {
-  const figures = [...(over ? [`${raw(x)} ${over.unit}`] : []), `${raw(y)} ${of.unit}`]
-  return `${name}: ${figures.join(', ')}, at t = ${raw(time)} s`
+  const numbers = [...(over ? [`${raw(x)} ${over.unit}`] : []), `${raw(y)} ${of.unit}`]
+  return `${name}: ${numbers.join(', ')}, at t = ${raw(time)} s`
 }
 
 function reading(

@@ -6,7 +6,7 @@ import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind } from './kinds.ts'
 import type { PlotQuantity } from './quantity.ts'
 
-/** A plot in figures. */
+/** A plot in numbers. */
 export interface PlotTable {
   /** With units; the first is the time's. */
   readonly head: readonly string[]
@@ -63,13 +63,13 @@ export function nearestRow(trajectory: Trajectory, time: number): number {
 
 function cell(quantity: PlotQuantity, value: number, time: number): TableCell {
   return {
-    text: figure(quantity, value),
+    text: numberText(quantity, value),
     title: `${raw(value)} ${quantity.unit} at t = ${raw(time)} s`,
   }
 }
 
 /** Without its unit, which stands in the head. */
-function figure({ residual }: PlotQuantity, value: number): string {
+function numberText({ residual }: PlotQuantity, value: number): string {
   const size = Math.abs(value)
   if (residual && size < ROUNDING) return '0 (to rounding)'
   return size < 1e4 && (!residual || size >= 0.01) ? fixed(value, 3) : plain(value)

@@ -7,7 +7,7 @@ import type { LabView } from './labView.ts'
  * The number that it is all about: how far apart the frame rates end. Between blocks that differ in more than their frames it
  * says nothing of frame rates, and has another name.
  */
-export function spreadFigure({ simulated: { spread, visible } }: LabView) {
+export function spreadNumber({ simulated: { spread, visible } }: LabView) {
   const [first, ...others] = visible
   const label = others.every((each) => sameMethod(each.state, first!.state))
     ? 'frame-rate spread'
@@ -18,11 +18,11 @@ export function spreadFigure({ simulated: { spread, visible } }: LabView) {
       <span>${label}</span>
       <output title="It takes two visible runners to be apart.">–</output>
     </p>`
-  const [figure, remark] = lengthText(spread).split(/ (?=\()/)
+  const [number, remark] = lengthText(spread).split(/ (?=\()/)
   return html`<p class="spread" part="spread">
     <span>${label}</span>
     <output title="Largest − smallest final position: ${raw(spread)} m"
-      >${figure} ${remark ? html`<small>${remark}</small>` : ''}</output
+      >${number} ${remark ? html`<small>${remark}</small>` : ''}</output
     >
   </p>`
 }
