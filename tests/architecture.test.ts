@@ -25,7 +25,7 @@ const rules: Record<string, Rule> = {
   'lab/state': { runtime: ['physics', 'measure', 'chart'], types: [] },
   'lab/presets': { runtime: ['physics', 'measure', 'chart', 'lab/state'], types: [] },
   'lab/playback': { runtime: ['view', 'ui', 'lit'], types: ['physics'] },
-  lab: { runtime: ['physics', 'chart', 'view', 'ui', ...lab, 'lit'], types: [] },
+  lab: { runtime: ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit'], types: [] },
   ...Object.fromEntries(panels.map((room) => [room, { runtime: panel, types: [] }])),
   'panels/measures': { runtime: panel, types: ['report'] },
   // Files in panels itself put the panels into a lab.

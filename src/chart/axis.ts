@@ -1,5 +1,5 @@
 import { decadeAbove, decadeBelow, decadeTick } from './magnitudes.ts'
-import { fixed, plain, ROUNDING } from './numbers.ts'
+import { fixed, plain } from './numbers.ts'
 import { decimalsOf, roundAbove, toStep } from './ticks.ts'
 
 /** A tick of an axis, and what is written at it. */
@@ -104,7 +104,7 @@ export function errorAxis(smallest: number, largest: number): Axis {
   return {
     from: foot - 0.25,
     to: top,
-    at: (value) => (value < ROUNDING ? foot : Math.log10(value)),
+    at: (value) => (value === 0 ? foot : Math.log10(value)),
     ticks: (most) => {
       const step = [1, 3, 6, 9].find((each) => (top - bottom) / each < most - 1) ?? 12
       const ticks: Tick[] = [{ at: foot, label: 'rounding' }]

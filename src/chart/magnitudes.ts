@@ -1,4 +1,4 @@
-import { fixed, metres, plain, ROUNDING, superscript } from './numbers.ts'
+import { fixed, metres, plain, superscript } from './numbers.ts'
 
 /** Numbers over many powers of ten, as axes, tables and arithmetic write them. */
 
@@ -16,7 +16,7 @@ export function decadeBelow(value: number): number {
 
 /** A distance [m] down to nanometres, as on axes by powers of ten: “0.254 m”, “31.2 nm”, “0 (to rounding)”. */
 export function sizeText(value: number): string {
-  return value < 1e-6 && value >= ROUNDING ? `${plain(value * 1e9)}${thin}nm` : metres(value)
+  return value < 1e-6 && value > 0 ? `${plain(value * 1e9)}${thin}nm` : metres(value)
 }
 
 /** The same to two digits, which is as much as can be seen. */
@@ -27,8 +27,8 @@ export function roughSize(value: number): string {
 /** A value that should be 0, from thousands down to rounding, in little room: “0.146 m”, “−5.54 mJ”, “12 pm”. */
 export function residualText(value: number, unit: string): string {
   const size = Math.abs(value)
-  if (size > 0 && size < ROUNDING) return 'rounding'
-  if (size >= 1000 || size === 0 || Number.isNaN(size)) return `${plain(value)}${thin}${unit}`
+  if (size === 0) return 'rounding'
+  if (size >= 1000 || Number.isNaN(size)) return `${plain(value)}${thin}${unit}`
   // Where thousandths say enough all have them, so that points stand under points.
   if (size >= 0.01) return `${fixed(value, 3)}${thin}${unit}`
   const steps = size >= 1e-3 ? 1 : size >= 1e-6 ? 2 : size >= 1e-9 ? 3 : 4

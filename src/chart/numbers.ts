@@ -5,14 +5,11 @@
 const minus = '−'
 const thin = '\u2009'
 
-/** Below this a difference is an accident of rounding, in all texts [m]. */
-export const ROUNDING = 1e-11
-
-/** “0.41 m”, “1.2 mm”, “0 (to rounding)”. */
+/** “0.41 m”, “1.2 mm”; of a difference without its rounding, “0 (to rounding)”. */
 export function metres(value: number): string {
   const size = Math.abs(value)
   if (!Number.isFinite(value)) return 'no number'
-  if (size < ROUNDING) return '0 (to rounding)'
+  if (size === 0) return '0 (to rounding)'
   if (size < 1e-3) return withUnit(value * 1e6, 'µm')
   if (size < 0.01) return withUnit(value * 1e3, 'mm')
   return withUnit(value, 'm')

@@ -1,6 +1,7 @@
-import type { Experiment, Trajectory } from '../physics/index.ts'
+import type { Experiment } from '../physics/index.ts'
 import { spreadOf } from '../measure/index.ts'
 import { lengthText } from '../chart/numbers.ts'
+import { spreadText } from '../lab/state/spreadText.ts'
 import { figure } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
 
@@ -75,10 +76,6 @@ export const breakIt = figure({
   ],
   says: (_, runs) => {
     const where = runs[0]!.outcome.kind === 'at-rest' ? 'They rest' : 'After 2 s they are'
-    return `${where} ${lengthText(spreadOf(runs.map(endOf)))} apart.`
+    return `${where} ${spreadText(spreadOf(runs), lengthText).value} apart.`
   },
 })
-
-function endOf({ drawnS }: Trajectory): number {
-  return drawnS[drawnS.length - 1]!
-}

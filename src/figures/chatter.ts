@@ -3,10 +3,11 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 import type { Box } from '../chart/geometry.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import type { Graph } from '../chart/graph.ts'
-import { fixed, roughMetres, seconds } from '../chart/numbers.ts'
+import { fixed, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
+import { roughly } from './shared/words.ts'
 
 const DURATION = 1.5
 const scene = {
@@ -63,7 +64,7 @@ export const chatter = figure({
   ],
   says: ({ fps, stopping }, [run]) => {
     const turns = turnsOf(run!)
-    const off = roughMetres(Math.abs(run!.s[run!.frames]! - exact(scene, DURATION).s))
+    const off = roughly(Math.abs(run!.s[run!.frames]! - exact(scene, DURATION).s))
     if (stopping === 'naive')
       return `The velocity jumps over 0 and back, ${turns} times by ${fixed(DURATION, 1)} s, and never is 0: the block trembles, and has crept to ${off} from where it should rest.`
     const { kind, time } = run!.outcome

@@ -1,11 +1,12 @@
 import { exactMotion } from '../physics/index.ts'
 import type { Experiment } from '../physics/index.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../chart/graph.ts'
-import { place, plain, roughMetres, seconds } from '../chart/numbers.ts'
+import { place, plain, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
+import { roughly } from './shared/words.ts'
 
 /** How long it falls [s], and as deep as the picture goes [m]. */
 const DURATION = 1
@@ -61,7 +62,7 @@ export const fallingBall = figure({
     const truth = exactMotion(run!.experiment)(time, { s: 0, v: 0 }).s
     const so = `After ${seconds(time)} at ${fps} fps it has fallen ${place(fallen)}; the true ball has fallen ${place(truth)}.`
     if (method === 'variable')
-      return `${so} Delta time has mended the clock; the ${roughMetres(Math.abs(fallen - truth))} that are left are the method’s.`
+      return `${so} Delta time has mended the clock; the ${roughly(Math.abs(fallen - truth))} that are left are the method’s.`
     const rate = fps * STEP
     if (Math.abs(rate - 1) < 0.005)
       return `${so} At 60 fps, and at no other, the game runs as it was made.`

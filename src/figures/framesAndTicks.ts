@@ -5,15 +5,16 @@ import { moved } from '../chart/geometry.ts'
 import type { Box } from '../chart/geometry.ts'
 import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../chart/graph.ts'
 import type { Graph } from '../chart/graph.ts'
-import { roughMetres, seconds } from '../chart/numbers.ts'
+import { seconds } from '../chart/numbers.ts'
 import { widthOf, write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { clockworkOf } from '../lab/state/clockwork.ts'
-import { stepsOf } from './shared/steps.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
+import { stepsOf } from './shared/steps.ts'
+import { roughly } from './shared/words.ts'
 
 const DURATION = 0.6
 
@@ -89,7 +90,7 @@ export const framesAndTicks = figure({
   panels: [{ shape: { wide: 0.62, narrow: 1.12 }, draw }],
   says: ({ timestep, step }, [run]) => {
     const steps = `${run!.frames} frames, ${run!.steps} steps of physics.`
-    const lag = roughMetres(presentationErrorSizes(run!).largest)
+    const lag = roughly(presentationErrorSizes(run!).largest)
     const far = `At worst a frame draws the block ${lag} from where it is by then.`
     switch (timestep) {
       case 'variable':
@@ -222,12 +223,8 @@ function drawLanes(
     if (dropped > 0) {
       context.fillStyle = palette.wrong
       context.globalAlpha = 0.55
-      context.fillRect(
-        x(run.time[row]! - dropped),
-        lanes.frames - 10,
-        to - x(run.time[row]! - dropped),
-        20,
-      )
+      const begins = x(run.time[row]! - dropped)
+      context.fillRect(begins, lanes.frames - 10, to - begins, 20)
       context.globalAlpha = 1
     }
   }
@@ -254,11 +251,8 @@ function drawLanes(
   }
   context.setLineDash([4, 4])
   context.strokeStyle = palette.inkSoft
-  line(
-    context,
-    { x: x(0), y: lanes.accumulator - 40 },
-    { x: x(DURATION), y: lanes.accumulator - 40 },
-  )
+  const full = lanes.accumulator - 40
+  line(context, { x: x(0), y: full }, { x: x(DURATION), y: full })
   context.setLineDash([])
   context.font = `11px ${palette.sans}`
   context.fillStyle = palette.inkSoft

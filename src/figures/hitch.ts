@@ -1,12 +1,13 @@
 import { exact, exactMotion } from '../physics/index.ts'
 import type { Experiment, Timestep, Trajectory } from '../physics/index.ts'
 import { clipTo, dot, drawCurve, graphIn, line } from '../chart/graph.ts'
-import { fixed, roughMetres, seconds } from '../chart/numbers.ts'
+import { fixed, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { kick, policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
+import { roughly } from './shared/words.ts'
 
 const DURATION = 1.4
 const FPS = 60
@@ -61,7 +62,7 @@ export const hitch = figure({
   says: ({ length, timestep }, runs) => {
     const run = runs[policies.findIndex(({ id }) => id === timestep)]!
     const lost = run.lostTime > 0 ? ` ${seconds(run.lostTime)} are lost.` : ''
-    return `Of a frame of ${seconds(length)}, “${timestep}” ${about[timestep]}. The block ends at ${fixed(-run.s[run.frames]!, 2)} m, ${roughMetres(errorOf(run))} from the exact one.${lost}`
+    return `Of a frame of ${seconds(length)}, “${timestep}” ${about[timestep]}. The block ends at ${fixed(-run.s[run.frames]!, 2)} m, ${roughly(errorOf(run))} from the exact one.${lost}`
   },
 })
 
@@ -124,7 +125,7 @@ function draw(surface: DrawingSurface, { values, runs }: View<HitchValues>): voi
     context.font = `${chosen ? 600 : 400} 12px ${palette.sans}`
     context.fillStyle = palette.ink
     const lost = run.lostTime > 0 ? `, ${seconds(run.lostTime)} lost` : ''
-    const off = `${roughMetres(errorOf(run))} off${lost}`
+    const off = `${roughly(errorOf(run))} off${lost}`
     write(context, off, box.right, top + 22, { align: 'right' })
     if (!chosen) return
     context.strokeStyle = fill

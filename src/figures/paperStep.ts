@@ -3,11 +3,11 @@ import type { Body, Corrections, ExactMotion, Experiment, Vector } from '../phys
 import { moved } from '../chart/geometry.ts'
 import type { Point } from '../chart/geometry.ts'
 import { clipTo, dot } from '../chart/graph.ts'
-import { roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawSlope, slopeThrough } from './shared/slope.ts'
+import { roughly } from './shared/words.ts'
 
 const DURATION = 3
 const parameters = { angle: 20, muStatic: 0.5, muKinetic: 0.5, speed: 3 } as const
@@ -68,7 +68,7 @@ export const paperStep = figure({
     const off = Math.hypot(r.x - truth * along.x, r.y - truth * along.y)
     const speed = Math.hypot(v.x, v.y)
     const wrong = Object.entries(values).filter(([, value]) => value === false).length
-    const so = `After ${DURATION} s it is ${roughMetres(off)} from the exact block`
+    const so = `After ${DURATION} s it is ${roughly(off)} from the exact block`
     if (wrong === 0)
       return `${so}: what is left is the step itself. At ${values.fps} fps v = 0 falls between two frames, and the sign of v has no answer to that; stopping has.`
     return speed > 0.05 ? `${so}, and still moves.` : `${so}.`

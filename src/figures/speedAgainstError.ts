@@ -1,10 +1,11 @@
 import type { Experiment, IntegratorId, Trajectory } from '../physics/index.ts'
 import { trajectoryErrors } from '../measure/index.ts'
 import { dot, drawCurve, graphIn, line } from '../chart/graph.ts'
-import { count, metres, roughMetres } from '../chart/numbers.ts'
+import { count, metres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
+import { roughly } from './shared/words.ts'
 
 const DURATION = 10
 const RATES = [10, 20, 40, 80, 160, 320] as const
@@ -43,7 +44,7 @@ export const speedAgainstError = figure({
   says: (_, runs) => {
     const words = methods.slice(1).map(({ name }, i) => {
       const run = runs[(i + 1) * RATES.length + TOLD]!
-      return `${name} ${roughMetres(errorOf(run))} for ${count(costOf(run))} evaluations`
+      return `${name} ${roughly(errorOf(run))} for ${count(costOf(run))} evaluations`
     })
     return `At ${RATES[TOLD]} steps a second in the half-pipe, off by at most: ${words.join(', ')} a second.`
   },

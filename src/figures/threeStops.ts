@@ -1,7 +1,8 @@
-import type { Experiment, Trajectory } from '../physics/index.ts'
+import type { Experiment } from '../physics/index.ts'
 import { spreadOf } from '../measure/index.ts'
 import { lengthText } from '../chart/numbers.ts'
 import { modes } from '../lab/state/modes.ts'
+import { spreadText } from '../lab/state/spreadText.ts'
 import { figure } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
 
@@ -44,11 +45,7 @@ export const threeStops = figure({
     },
   ],
   says: ({ mode }, runs) => {
-    const spread = lengthText(spreadOf(runs.map(endOf)))
+    const spread = spreadText(spreadOf(runs), lengthText).value
     return `${modes.find(({ id }) => id === mode)!.about} They end ${spread} apart.`
   },
 })
-
-function endOf({ drawnS }: Trajectory): number {
-  return drawnS[drawnS.length - 1]!
-}

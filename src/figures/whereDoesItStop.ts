@@ -1,13 +1,14 @@
 import type { Experiment, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { line } from '../chart/graph.ts'
-import { fixed, roughMetres } from '../chart/numbers.ts'
+import { fixed } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawFlag, drawLongSlope, longSlope } from './shared/longSlope.ts'
 import { drawBlock } from './shared/slope.ts'
+import { roughly } from './shared/words.ts'
 
 /** How far up the slope one can bet [m], and how long all runs take [s]. */
 const FAR = 6
@@ -79,7 +80,7 @@ export const whereDoesItStop = figure({
     if (time < DURATION) return 'It runs …'
     const [truth, ...others] = runs.map(stopOf)
     const off = Math.abs(bet - truth!)
-    const verdict = off < 0.05 ? 'You hit it' : `You were ${roughMetres(off)} off`
+    const verdict = off < 0.05 ? 'You hit it' : `You were ${roughly(off)} off`
     const stops = RATES.map((fps, i) => `${fps} fps at ${fixed(others[i]!, 2)}`).join(', ')
     return `${verdict}: it stops at ${fixed(truth!, 2)} m. The usual code, a step a frame and a clamp at 0, would have settled your bet elsewhere: ${stops} m.`
   },

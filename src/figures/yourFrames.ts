@@ -1,12 +1,12 @@
 import type { Experiment, Timestep, Trajectory } from '../physics/index.ts'
 import { presentationErrors } from '../measure/index.ts'
 import { drawAxes, graphIn, line } from '../chart/graph.ts'
-import { roughMetres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { summarize, summaryText } from '../lab/state/frameTimes.ts'
 import { figure } from './shared/figure.ts'
-import type { Reading, DrawingSurface, View } from './shared/figure.ts'
+import type { DrawingSurface, Reading, View } from './shared/figure.ts'
 import { kick } from './shared/kick.ts'
+import { roughly } from './shared/words.ts'
 
 const DURATION = 1
 
@@ -51,7 +51,7 @@ export const yourFrames = figure({
   readings: (_, runs) =>
     tried.map(({ label }, i): Reading => {
       const worst = worstOf(runs[i]!)
-      return { label, text: roughMetres(worst), raw: worst }
+      return { label, text: roughly(worst), raw: worst }
     }),
 })
 

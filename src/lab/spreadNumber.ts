@@ -1,7 +1,8 @@
 import { html } from 'lit'
-import { raw, lengthText } from '../chart/numbers.ts'
-import { sameMethod } from './state/modes.ts'
+import { lengthText } from '../chart/numbers.ts'
 import type { LabView } from './labView.ts'
+import { sameMethod } from './state/modes.ts'
+import { spreadText } from './state/spreadText.ts'
 
 /**
  * The number that it is all about: how far apart the frame rates end. Between blocks that differ in more than their frames it
@@ -13,16 +14,14 @@ export function spreadNumber({ simulated: { spread, visible } }: LabView) {
     ? 'frame-rate spread'
     : 'apart at the end'
   // One block alone is apart from nothing.
-  if (visible.length < 2)
+  if (!spread || visible.length < 2)
     return html`<p class="spread" part="spread">
       <span>${label}</span>
       <output title="It takes two visible runners to be apart.">–</output>
     </p>`
-  const [number, remark] = lengthText(spread).split(/ (?=\()/)
+  const { value, remark, title } = spreadText(spread, lengthText)
   return html`<p class="spread" part="spread">
     <span>${label}</span>
-    <output title="Largest − smallest final position: ${raw(spread)} m"
-      >${number} ${remark ? html`<small>${remark}</small>` : ''}</output
-    >
+    <output title=${title}>${value} ${remark ? html`<small>(${remark})</small>` : ''}</output>
   </p>`
 }

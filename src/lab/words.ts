@@ -1,3 +1,4 @@
+import { scaleOf, withoutRounding } from '../measure/index.ts'
 import { lengthText, place, seconds } from '../chart/numbers.ts'
 import { rowAt } from '../view/timeline.ts'
 import { errorAt } from './state/simulation.ts'
@@ -10,8 +11,10 @@ export function describe(simulated: Simulated, time: number): string {
   const travelled = exact(time, { s: 0, v: 0 }).s - start
   const sentences = visible.map((runner) => {
     const row = rowAt(runner.trajectory, time)
+    const scale = scaleOf(runner.trajectory.experiment).length
+    const error = withoutRounding(errorAt(runner.trajectory, exact, row), scale)
     const distance = Math.abs(runner.trajectory.drawnS[row]! - start)
-    return `${runner.name}: ${stateText(runner, row)} ${place(distance)}, ${gap(errorAt(runner.trajectory, exact, row), travelled)}.`
+    return `${runner.name}: ${stateText(runner, row)} ${place(distance)}, ${gap(error, travelled)}.`
   })
   return [`${scene.label} after ${seconds(time)}.`, ...sentences].join(' ')
 }

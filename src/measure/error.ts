@@ -17,9 +17,6 @@ export interface ErrorSizes {
   readonly rms: number
 }
 
-/** Below this a difference is an accident of rounding, of the run's or of the exact motion's [m]. */
-export const ROUNDING = 1e-11
-
 /** How far the physics state is from the truth at the state's own time: s − exact(stateTime). */
 export function trajectoryErrors(trajectory: Trajectory): Errors {
   return errors(trajectory, trajectory.s, trajectory.stateTime)

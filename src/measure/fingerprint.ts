@@ -80,6 +80,9 @@ function within({ integer, slider: { from, to } }: NumberOption, turn: number): 
 
 function parametersOf(scene: Scene, turn: number): Record<string, number> {
   const parameters = settings(scene.parameters, turn) as Record<string, number>
+  const { muStatic, muKinetic } = parameters
+  // Static friction below kinetic is refused.
+  if (muStatic! < muKinetic!) parameters.muStatic = muKinetic!
   for (;;) {
     const conflict = scene.conflict?.(parameters)
     if (!conflict) return parameters

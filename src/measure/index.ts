@@ -1,6 +1,6 @@
 /** What a run is worth: its errors, its order, its energy, its work, its frame-rate spread, the step at which it blows up. */
 
-export { presentationErrors, presentationErrorSizes, ROUNDING, trajectoryErrors } from './error.ts'
+export { presentationErrors, presentationErrorSizes, trajectoryErrors } from './error.ts'
 export type { Errors, ErrorSizes } from './error.ts'
 export { energyResidual, mechanicalEnergy } from './energy.ts'
 export { fingerprint, fingerprintExperiments } from './fingerprint.ts'
@@ -21,8 +21,10 @@ export {
   valueAt,
 } from './rateMap.ts'
 export type { CellKind, MapRequest, MapRow } from './rateMap.ts'
-export { frameRateSpread } from './spread.ts'
-export { spreadOf } from './spreadOf.ts'
+export { leastDifference, scaleOf, withoutRounding } from './rounding.ts'
+export type { Scale } from './rounding.ts'
+export { frameRateSpread, spreadOf } from './spread.ts'
+export type { Spread } from './spread.ts'
 export { paperMethod, spreadMethods, spreadTable } from './spreadTable.ts'
 export type { MethodChoice, SpreadRequest, SpreadRow } from './spreadTable.ts'
 export { stabilityLimit, staysBounded } from './stability.ts'
@@ -42,3 +44,4 @@ export {
 export type { SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
 export { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
 export type { Clock } from './work.ts'
+export { withParameters } from './withParameters.ts'

@@ -1,6 +1,9 @@
-import { ExperimentError, simulate } from '../physics/index.ts'
-import type { Experiment, Outcome, Trajectory } from '../physics/index.ts'
+import { ExperimentError, parseExperiment, simulate } from '../physics/index.ts'
+import type { Experiment, Trajectory } from '../physics/index.ts'
 import { presentationErrorSizes } from './error.ts'
+import { scaleOf } from './rounding.ts'
+import { spreadOf } from './spread.ts'
+import { withParameters } from './withParameters.ts'
 
 /** A map over frame rates, from left to right, and the values of a parameter, from bottom to top. */
 export interface MapRequest {
@@ -25,6 +28,8 @@ export interface MapRow {
   readonly values: Float64Array
   /** What each cell is, as a place in `cellKinds`. */
   readonly kinds: Uint8Array
+  /** The length of the row's path, against which rounding is measured [m]. */
+  readonly scale: number
 }
 
 /** A cell may not have been looked at; have a value; or none, for one of these reasons. */
@@ -33,6 +38,8 @@ export const cellKinds = [
   'measured',
   'left-the-track',
   'diverged',
+  // It ends on the track, and the run that it is held against does not.
+  'different',
   'refused',
   'unknown',
 ] as const
@@ -87,45 +94,54 @@ function coarseCells(count: number): number[] {
 function mapRow(request: MapRequest, row: number, columns: readonly number[]): MapRow {
   const values = new Float64Array(request.columns).fill(NaN)
   const kinds = new Uint8Array(request.columns)
+  let scale = 1
   try {
-    const measure = request.of === 'error' ? largestError : apartFrom(request, row)
+    const reference = cellExperiment(request, REFERENCE_RATE, row)
+    scale = scaleOf(parseExperiment(reference)).length
+    const measure = request.of === 'error' ? errorOf : apartFrom(simulate(reference))
     for (const column of columns) {
-      const run = simulate(mappedExperiment(request, column, row))
-      const value = measure(run)
+      const { kind, value } = measure(simulate(mappedExperiment(request, column, row)))
       values[column] = value
-      kinds[column] = cellKinds.indexOf(kindOf(run.outcome, value))
+      kinds[column] = cellKinds.indexOf(kind)
     }
   } catch (error) {
     if (!(error instanceof ExperimentError)) throw error
     // What can't be run at one frame rate is a matter of the parameter, and so of the row.
     kinds.fill(cellKinds.indexOf('refused'))
   }
-  return { row, values, kinds }
+  return { row, values, kinds, scale }
 }
 
-function largestError(run: Trajectory): number {
-  return presentationErrorSizes(run).largest
+interface Measured {
+  readonly kind: CellKind
+  readonly value: number
 }
 
-function apartFrom(request: MapRequest, row: number): (run: Trajectory) => number {
-  const reference = endOf(simulate(cellExperiment(request, REFERENCE_RATE, row)))
-  return (run) => Math.abs(endOf(run) - reference)
+function errorOf(run: Trajectory): Measured {
+  return measured(run, presentationErrorSizes(run).largest)
 }
 
-function endOf({ drawnS }: Trajectory): number {
-  return drawnS[drawnS.length - 1]!
+function apartFrom(reference: Trajectory): (run: Trajectory) => Measured {
+  return (run) => {
+    const { agree, distance } = spreadOf([reference, run])
+    const cell = measured(run, distance)
+    return cell.kind === 'measured' && !agree ? { kind: 'different', value: NaN } : cell
+  }
 }
 
-function kindOf({ kind }: Outcome, value: number): CellKind {
-  if (kind === 'left-the-track' || kind === 'diverged') return kind
-  return Number.isFinite(value) ? 'measured' : 'unknown'
+function measured({ outcome: { kind } }: Trajectory, value: number): Measured {
+  if (kind === 'left-the-track' || kind === 'diverged') return { kind, value: NaN }
+  return { kind: Number.isFinite(value) ? 'measured' : 'unknown', value }
 }
 
 function cellExperiment(request: MapRequest, fps: number, row: number): Experiment {
   const { experiment, parameter } = request
   return {
     ...experiment,
-    parameters: { ...experiment.parameters, [parameter]: valueAt(request, row) },
+    parameters: withParameters(
+      { ...experiment.parameters },
+      { [parameter]: valueAt(request, row) },
+    ),
     frames: { kind: 'steady', fps },
   }
 }

@@ -1,6 +1,24 @@
-import { simulate } from '../physics/index.ts'
-import type { Experiment, FramesChoice } from '../physics/index.ts'
-import { spreadOf } from './spreadOf.ts'
+import { simulate, timesteps } from '../physics/index.ts'
+import type { Experiment, FramesChoice, Outcome, Trajectory } from '../physics/index.ts'
+import { scaleOf } from './rounding.ts'
+
+/** How far apart runs of one experiment end that differ in their frames. */
+export interface Spread {
+  /** What became of the runs, each outcome once. */
+  readonly outcomes: readonly Outcome['kind'][]
+  /**
+   * All of them ended on the track, moving or at rest, or all left it, or all diverged. Where they do not agree, no
+   * distance says how far apart they are.
+   */
+  readonly agree: boolean
+  /** Largest − smallest final position [m]. */
+  readonly distance: number
+  /** The time at which the first and the last of them left the track [s]; NaN where none did. */
+  readonly earliest: number
+  readonly latest: number
+  /** The length of the path, against which rounding is measured [m]. */
+  readonly scale: number
+}
 
 /** The frames under which a run must end in the same place to be called framerate-independent. */
 const spreadClocks: readonly FramesChoice[] = [
@@ -10,17 +28,35 @@ const spreadClocks: readonly FramesChoice[] = [
 ]
 
 /**
- * The frame-rate spread: how far apart a run ends under different frames, all else equal [m].
+ * The frame-rate spread: how far apart a run ends under different frames, all else equal.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
 // #region spread
-export function frameRateSpread(experiment: Experiment): number {
-  return spreadOf(
-    spreadClocks.map((frames) => {
-      const { drawnS } = simulate({ ...experiment, frames })
-      return drawnS[drawnS.length - 1]!
-    }),
-  )
+export function frameRateSpread(experiment: Experiment): Spread {
+  return spreadOf(spreadClocks.map((frames) => simulate({ ...experiment, frames })))
+}
+
+/** How far apart some runs end; there is at least one. */
+export function spreadOf(runs: readonly Trajectory[]): Spread {
+  const ends = runs.map(({ drawnS }) => drawnS[drawnS.length - 1]!)
+  const left = runs.filter(({ outcome }) => outcome.kind === 'left-the-track').map(endTime)
+  const outcomes = [...new Set(runs.map(({ outcome }) => outcome.kind))]
+  return {
+    outcomes,
+    agree: new Set(outcomes.map((kind) => (kind === 'at-rest' ? 'moving' : kind))).size === 1,
+    distance: Math.max(...ends) - Math.min(...ends),
+    earliest: left.length > 0 ? Math.min(...left) : NaN,
+    latest: left.length > 0 ? Math.max(...left) : NaN,
+    scale: scaleOf(runs[0]!.experiment).length,
+  }
 }
 // #endregion
+
+/** When a run ended, on the wall clock [s]: to the bit, or to a frame where the policy lets the clocks stray. */
+function endTime({ experiment, outcome, stateTime, time, lostTime }: Trajectory): number {
+  const policy = timesteps.find(({ id }) => id === experiment.timestep.kind)!
+  if (!policy.losesTime && lostTime === 0) return outcome.time
+  const before = Math.max(0, stateTime.findIndex((t) => t >= outcome.time) - 1)
+  return outcome.time + time[before]! - stateTime[before]!
+}

@@ -1,6 +1,7 @@
 import { integrators } from '../physics/index.ts'
 import type { Experiment, ResolvedExperiment } from '../physics/index.ts'
 import { frameRateSpread } from './spread.ts'
+import type { Spread } from './spread.ts'
 
 /** A way to turn frames into motion. */
 export type MethodChoice = Readonly<
@@ -29,10 +30,10 @@ export interface SpreadRequest {
   readonly experiments: readonly Experiment[]
 }
 
-/** The spreads of one method [m], one for each experiment. */
+/** The spreads of one method, one for each experiment. */
 export interface SpreadRow {
   readonly row: number
-  readonly spreads: Float64Array
+  readonly spreads: readonly Spread[]
 }
 
 /**
@@ -45,9 +46,9 @@ export function* spreadTable({
   experiments,
 }: SpreadRequest): Generator<SpreadRow | undefined> {
   for (const [row, method] of methods.entries()) {
-    const spreads = new Float64Array(experiments.length)
+    const spreads: Spread[] = []
     for (const [column, experiment] of experiments.entries()) {
-      spreads[column] = frameRateSpread({ ...experiment, ...method } as Experiment)
+      spreads.push(frameRateSpread({ ...experiment, ...method } as Experiment))
       yield column === experiments.length - 1 ? { row, spreads } : undefined
     }
   }

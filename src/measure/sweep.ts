@@ -1,7 +1,8 @@
-import { integrators, simulate } from '../physics/index.ts'
+import { integrators, parseExperiment, simulate } from '../physics/index.ts'
 import type { Experiment, IntegratorId, Outcome } from '../physics/index.ts'
-import { presentationErrorSizes, ROUNDING } from './error.ts'
+import { presentationErrorSizes } from './error.ts'
 import { fittedOrder } from './order.ts'
+import { scaleOf, withoutRounding } from './rounding.ts'
 import { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
 import type { Clock } from './work.ts'
 
@@ -25,6 +26,8 @@ export interface SweepCurve {
   readonly evaluations: Float64Array
   /** How each run ended, as a place in `outcomeKinds`. */
   readonly outcomes: Uint8Array
+  /** The length of the path, against which rounding is measured [m]. */
+  readonly scale: number
 }
 
 /** How long a simulated second takes with a method, a number for each rate [ns]. */
@@ -71,6 +74,7 @@ export function sweptExperiment(
  */
 export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined> {
   const { methods, rates } = request
+  const scale = scaleOf(parseExperiment(request.experiment)).length
   for (const method of methods) {
     const column = () => new Float64Array(rates.length)
     const curve = { errors: column(), rms: column(), evaluations: column() }
@@ -82,7 +86,7 @@ export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined>
       curve.rms[i] = rms
       curve.evaluations[i] = evaluationsPerSecond(run)
       outcomes[i] = outcomeKinds.indexOf(run.outcome.kind)
-      yield i === rates.length - 1 ? { method, ...curve, outcomes } : undefined
+      yield i === rates.length - 1 ? { method, ...curve, outcomes, scale } : undefined
     }
   }
 }
@@ -119,7 +123,7 @@ export function counts({ errors, outcomes }: SweepCurve, i: number): boolean {
 /** Every run that counts is exact to rounding. */
 export function isExact(curve: SweepCurve): boolean {
   const counting = Array.from(curve.errors).filter((_, i) => counts(curve, i))
-  return counting.length > 0 && counting.every((error) => error < ROUNDING)
+  return counting.length > 0 && counting.every((error) => withoutRounding(error, curve.scale) === 0)
 }
 
 /**
@@ -129,7 +133,7 @@ export function isExact(curve: SweepCurve): boolean {
 export function orderOfCurve(curve: SweepCurve, rates: readonly number[]): number {
   const fine = rates
     .map((rate, i) => ({ step: 1 / rate, error: curve.rms[i]!, whole: counts(curve, i) }))
-    .filter(({ error, whole }) => whole && error > 10 * ROUNDING)
+    .filter(({ error, whole }) => whole && withoutRounding(error / 10, curve.scale) > 0)
     .sort((a, b) => a.step - b.step)
     .slice(0, FITTED)
   if (fine.length < 3) return NaN

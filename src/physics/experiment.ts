@@ -61,4 +61,6 @@ export const limits = {
   duration: 1e6,
   frames: 1e6,
   steps: 5e6,
+  /** Of the acceleration, those that locate events included: some seconds. */
+  evaluations: 1e8,
 } as const

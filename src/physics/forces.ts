@@ -2,7 +2,8 @@ import type { Experiment } from './experiment.ts'
 import { entry } from './lists.ts'
 import { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
-import type { Scene, State } from './scene.ts'
+import type { Scene } from './scene.ts'
+import type { State } from './state.ts'
 import { scenes } from './scenes/index.ts'
 import { stoppings } from './stopping/index.ts'
 import { sinCos } from './trigonometry.ts'
@@ -44,13 +45,15 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const direction = sinCos(slope)
   const along = { x: direction.cos, y: -direction.sin }
   const across = { x: direction.sin, y: direction.cos }
-  const motion = new Motion(law, s, v)
-  motion.feel()
-  const { drive, press } = motion
+  const motion = new Motion(law, s, v, true)
+  // Without a direction of sliding there is no friction in the acceleration.
+  motion.slide(0)
+  const drive = motion.acceleration(s, v)
+  const press = motion.weight + motion.curvature * (v * v)
   // A rule that goes by the sign of v alone knows no friction where v is 0.
   const atRest = v === 0 && entry(stoppings, stopping).holdsSlip
-  const held = atRest && law.muStatic > 0 && Math.abs(drive) <= law.muStatic * press
-  const slip = Math.sign(atRest ? drive : v)
+  const held = atRest && law.muStatic > 0 && !motion.setsOff()
+  const slip = atRest ? motion.slip : Math.sign(v)
   // #region vectors
   const gravity = { x: 0, y: -law.mass * parameters.gravity! }
   const normal = times(law.mass * press, across)

@@ -1,68 +1,82 @@
 import type { Motion } from './motion.ts'
-import type { MotionLog } from './motionLog.ts'
+
+/** What resists the motion at one end of a step, per mass, and its first three derivatives by the distance. */
+export class Resistance {
+  /** For the other end of the step. */
+  other: Resistance | undefined
+  /** Where, and at which speed [m, m/s]; NaN where nothing is known yet. */
+  s = NaN
+  v = NaN
+  /** [m/s²] */
+  force = NaN
+  first = NaN
+  second = NaN
+  third = NaN
+
+  /** Two of them, for the ends of a step. */
+  static pair(): Resistance {
+    const [one, other] = [new Resistance(), new Resistance()]
+    one.other = other
+    other.other = one
+    return one
+  }
+}
 
 /**
- * Adds the heat of the step from the beginning noted to the present state: friction force × sliding distance. Where the
- * force and the acceleration are the same all along the piece, that follows from the distance when it is asked for.
+ * Adds the heat of the step from the beginning noted to the present state: the force of friction and drag times the
+ * distance, and never what the energy has lost. On a bend and in air the integral comes from the force and its derivatives at
+ * both ends (Hermite's two-point formula); it is of the eighth order, as the best method is.
  */
 export function addHeat(motion: Motion): void {
-  if (motion.rubs === 1) addChanging(motion)
-  else motion.summed += motion.rubbing * Math.abs(motion.s - motion.startS)
-}
-
-/** Adds the heat of a step of a row that ends at `endS` and `endV`, and notes it in the log, which says how long the next is. */
-export function endStep(motion: Motion): void {
-  const { contact, law, log, endS, endV, taken } = motion
-  motion.startS = motion.s
-  motion.startV = motion.v
-  motion.s = endS
-  motion.v = endV
-  addHeat(motion)
-  if (motion.rubs === 1) {
-    // The forces at the end have been felt for that: the next step begins with them.
-    motion.feltS = endS
-    motion.feltV = endV
-    motion.feltA = contact.drive - motion.slip * law.muKinetic * contact.press
+  const { startS, startV, s, v, curvature, law } = motion
+  const { mass, muKinetic, drag } = law
+  if (muKinetic === 0 && drag === 0) return
+  const h = s - startS
+  if (curvature === 0 && drag === 0) {
+    motion.heat += mass * muKinetic * motion.weight * Math.abs(h)
+    return
   }
-  if (log === undefined) return
-  log.heat[log.last + taken] = motion.summed
-  motion.dt = log.lengths[taken]!
-}
-
-/** Notes the heat at the rows that a row of steps has just filled, where it follows from the distance. */
-export function noteHeat(motion: Motion, log: MotionLog, count: number): void {
-  const { kind, summed, evenRubbing, rubbedFrom } = motion
-  if (kind !== 1) return
-  const { last, s, heat } = log
-  for (let row = last + 1; row <= last + count; row++)
-    heat[row] = summed + evenRubbing * Math.abs(s[row]! - rubbedFrom)
+  const start = motion.resistance
+  const end = start.other!
+  if (start.s !== startS || start.v !== startV) {
+    start.s = startS
+    start.v = startV
+    resist(motion, start)
+  }
+  end.s = s
+  end.v = v
+  resist(motion, end)
+  let mean = 0.5 * (start.force + end.force)
+  // On steps so long that the force has changed altogether, derivatives say nothing of what lies between.
+  if (Math.abs(h) * (Math.abs(curvature) * (1 + 2 * muKinetic) + 2 * drag) < 1)
+    mean +=
+      h * (3 / 28) * (start.first - end.first) +
+      h * h * ((1 / 84) * (start.second + end.second) + h * (1 / 1680) * (start.third - end.third))
+  motion.heat += mass * Math.abs(h * mean)
+  // This step's end is the next one's start.
+  motion.resistance = end
 }
 
 /**
- * Where the normal force changes along the step: its mean over both ends times the distance, of the second order; for a
- * method of a higher one Simpson's rule over the cubic through both ends, of the fourth.
+ * Sets what resists at a distance and a speed. With K = ½v², T = g sin θ and W = g cos θ (dT/ds = −κW, dW/ds = κT):
+ *
+ *     R = μk (W + 2κK) + 2(c/m)K,  dK/ds = T − (k/m)s − slip R
+ *
+ * so that each derivative of R follows from the one before.
  */
-function addChanging(motion: Motion): void {
-  const { contact, forces, s, v, startS, startV, dt, law } = motion
-  const distance = s - startS
-  const before = motion.pressed
-  let middle = 0
-  if (motion.accurate && dt > 0) {
-    const ends = (startV + v) / 4
-    const speed = (1.5 * distance) / dt - ends
-    // A diverging step's cubic may race between its ends; a real one's does not.
-    const most = 2 * Math.max(Math.abs(startV), Math.abs(v))
-    contact.s = 0.5 * (startS + s) + 0.125 * dt * (startV - v)
-    contact.v = Math.max(-most, Math.min(most, speed))
-    forces(contact)
-    middle = contact.press * speed
+function resist(motion: Motion, at: Resistance): void {
+  const { slip, curvature, law } = motion
+  const { muKinetic, drag, stiffness } = law
+  if (curvature !== 0) {
+    motion.atS = at.s
+    motion.turn()
   }
-  contact.s = s
-  contact.v = v
-  forces(contact)
-  motion.pressed = contact.press
-  const work = motion.accurate
-    ? ((before * startV + 4 * middle + contact.press * v) * dt) / 6
-    : 0.5 * (before + contact.press) * distance
-  motion.summed += law.mass * law.muKinetic * Math.abs(work)
+  const { tangential, weight } = motion
+  const bend = muKinetic * curvature
+  const perK = 2 * (bend + drag)
+  const square = curvature * curvature
+  at.force = muKinetic * weight + 0.5 * perK * at.v * at.v
+  at.first = bend * tangential + perK * (tangential - stiffness * at.s - slip * at.force)
+  at.second = -bend * curvature * weight - perK * (curvature * weight + stiffness + slip * at.first)
+  at.third = -bend * square * tangential - perK * (square * tangential + slip * at.second)
 }

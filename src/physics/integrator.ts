@@ -15,10 +15,8 @@ export interface Integrator extends Described {
   readonly symplectic: boolean
   /** Evaluations of the acceleration in a step: the fewest (by reuse, where the force ignores v) and the most. */
   readonly evaluations: { readonly least: number; readonly most: number }
-  /** How many a step takes varies: it counts them itself, in `motion.evaluations`. */
-  readonly counts?: true
   /** Place in the palette, 0 … 7. */
   readonly colour: number
-  /** Moves the motion on by `motion.dt`, the slip direction and the piece of track held. */
+  /** Moves `motion.s` and `motion.v` on by `motion.dt`, from one evaluation of the acceleration to the next. */
   step(motion: Motion): void
 }

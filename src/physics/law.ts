@@ -1,69 +1,50 @@
-// What starts 1e9 m away and falls at 1e6 m/s² for 1e6 s does not get near it [m].
+import type { Parameters } from './state.ts'
+import type { Track } from './track.ts'
+
+/** What starts 1e9 m away at 1e9 m/s and falls at 1e6 m/s² for 1e6 s gets neither as far nor as fast [m, m/s]. */
 export const FAR = 1e24
+const FAST = 1e15
 
-/** A place on the track and a speed there, and the forces that are felt: what a scene is asked about. */
-export class Contact {
-  /** Distance along the track [m] and speed [m/s]. */
-  s = NaN
-  v = NaN
-  /** Every force along the track but friction, per mass [m/s²]. */
-  drive = NaN
-  /** Normal force per mass, ≥ 0 [m/s²]. */
-  press = NaN
-
-  constructor() {
-    this.drive = 0
-    this.press = 0
-  }
-}
-
-/**
- * Sets `drive` and `press` of a contact from its `s` and `v`. Numbers come and go in fields, since engines box one that
- * is passed to a function, or returned from it, that they do not compile into its caller.
- */
-export type Forces = (contact: Contact) => void
-
-/** The forces as numbers, where that is all they are: no step has to call anything for them. */
-export interface PlainForces {
-  /** The drive at s = 0 [m/s²]. */
-  readonly drive: number
-  /** What each metre takes away from it [1/s²], and the square of the speed [1/m], against it; 0 where they are left out. */
-  readonly perMetre?: number
-  readonly perSquare?: number
-  /** Normal force per mass [m/s²]. */
-  readonly press: number
-}
-
-/** What a step integrates on one piece of the track. */
-export type PieceForces = PlainForces | Forces
-
-/** What a scene contributes to a step. */
+/** The constants of a scene's law of motion: `Motion.acceleration` is the law itself. */
 export interface Law {
-  /** Of each piece of the track in turn. */
-  readonly forces: readonly PieceForces[]
+  readonly track: Track
+  /** [m/s²] */
+  readonly gravity: number
   /** [kg] */
   readonly mass: number
-  /** Coefficients of static and kinetic friction; static is never taken below kinetic. */
+  /** Coefficients of static and kinetic friction, μs ≥ μk. */
   readonly muStatic: number
   readonly muKinetic: number
-  /** A force changes with the speed, not with its direction alone. */
-  readonly dependsOnSpeed: boolean
-  /** The instant at which the speed changes sign matters: a force jumps or has a kink there, or the track has joints. */
+  /** Of the spring, per mass: k/m [1/s²]. */
+  readonly stiffness: number
+  /** Of the air, per mass: c/m [1/m]. */
+  readonly drag: number
+  /** A stop changes the force, or how it changes: friction or drag acts. */
   readonly turnMatters: boolean
-  /** Where one piece of the track joins the next [m], ascending: piece i ends at joints[i]. */
-  readonly joints: readonly number[]
-  /** Beyond the first and the last joint there is no track: a block that gets there has left. */
-  readonly open: boolean
   /** A speed that only a step which has lost its stability reaches [m/s]. */
   readonly speedLimit: number
 }
 
-/** The forces of a piece as a function, whatever they are given as. */
-export function feltOn(forces: PieceForces): Forces {
-  if (typeof forces === 'function') return forces
-  const { drive, perMetre = 0, perSquare = 0, press } = forces
-  return (contact) => {
-    contact.drive = drive - perMetre * contact.s - perSquare * contact.v * Math.abs(contact.v)
-    contact.press = press
+/** The law for the parameters of a scene. A force that the scene does not have is 0. */
+export function lawOf(track: Track, parameters: Parameters): Law {
+  const { gravity = 0, mass = 1, muStatic = 0, muKinetic = 0 } = parameters
+  const stiffness = (parameters.stiffness ?? 0) / mass
+  const drag = (parameters.drag ?? 0) / mass
+  return {
+    ...{ track, gravity, mass, muStatic, muKinetic, stiffness, drag },
+    turnMatters: muStatic > 0 || drag > 0,
+    speedLimit: stiffness > 0 ? fastestOnSpring(track, stiffness, parameters) : FAST,
   }
+}
+
+/**
+ * A thousand times the speed that a block on a spring can't exceed, so a million times the energy [m/s]: that of its
+ * swing from where it begins about the point of balance, and its own. The parts are added as if they never cancelled or
+ * squared, so that no rounding and no underflow makes it too small for the motion.
+ */
+function fastestOnSpring(track: Track, stiffness: number, parameters: Parameters): number {
+  const { gravity = 0, position = 0, speed = 0 } = parameters
+  const omega = Math.sqrt(stiffness)
+  const balance = (gravity * track[0]!.sin) / omega
+  return 1000 * (Math.abs(omega * position) + balance + Math.abs(speed))
 }

@@ -1,193 +1,196 @@
-import { apart } from './apart.ts'
-import { endStep } from './heat.ts'
-import { Contact, feltOn } from './law.ts'
-import type { Forces, Law } from './law.ts'
-import type { MotionLog } from './motionLog.ts'
-import { enterPiece } from './piece.ts'
+import { Resistance } from './heat.ts'
+import { holds } from './holds.ts'
+import { FAR } from './law.ts'
+import type { Law } from './law.ts'
+import { SinCos } from './trigonometry.ts'
+
+/** Is told of each evaluation of the acceleration, at `atS` and `atV`. */
+export type Observer = (motion: Motion) => void
 
 /**
- * A block on a track, mid-step: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and what acts on
- * it. One mutable object with number fields, so that a step allocates nothing. The fields start as NaN, which makes
- * an engine store them as floating-point numbers from the first; what is asked in every step is a whole number rather
- * than true or false, since that costs an engine one comparison instead of five.
- *
- * The law is the same in every scene: dv/dt = drive − slip μk press (Coulomb friction).
+ * A block on a track: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and the law that moves it.
+ * One mutable object with number fields, so that a step allocates nothing. Most fields start as NaN so that engines
+ * store them as floating-point numbers from the first.
  */
 export class Motion {
   s = NaN
   v = NaN
-  /** The acceleration that serves the next step too, where `known` [m/s²]. */
-  a = NaN
-  /** The length of the step to take [s]. */
+  /** The length of the step to take; once it has been taken, how long it was [s]. */
   dt = NaN
-  /** How far into the step asked for the motion has got [s]. */
+  /** How far into the step that the timestep policy asked for the motion has got [s]. */
   elapsed = NaN
-  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
-  moving = true
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
+  /** Energy that friction and drag have turned into heat [J]. */
+  heat = NaN
   /** How often the acceleration was evaluated. */
   evaluations = 0
   /** Implicit steps whose equation was not solved to rounding. */
   unsolved = 0
 
-  /** The slip direction: the side to which friction does not point. Whoever changes it calls `enterPiece` after that. */
+  /** The direction of sliding, which friction opposes. */
   slip: -1 | 0 | 1 = 0
-  /** Friction keeps to `slip`, instead of taking the sign of each speed it is asked about. */
-  slipHeld = true
-  /** 1: `a` is the acceleration at the present state. */
-  known: 0 | 1 = 0
-  /** 1: the acceleration at a step's end serves the next step too, although v is corrected in between. */
-  reusable: 0 | 1 = 0
-  /** The method is of higher order than the second: the sum of the heat is, too. */
-  accurate = false
-  /** Every force along the track but friction, per mass, and the normal force per mass, as `feel` found them [m/s²]. */
-  drive = NaN
-  press = NaN
-  /** How far before the jump that is looked for a tried step ended: negative past it. */
-  miss = NaN
+  /** Friction opposes `slip` all through a step, instead of the sign of each speed that it is evaluated at. */
+  readonly slipHeld: boolean
+  /** The acceleration at the present state, where `known`: what a step may hand on to the next [m/s²]. */
+  a = NaN
+  known = false
+  /** The acceleration here does not depend on the speed, so that one evaluation serves two steps. */
+  reusable = false
 
-  // The steps of a row: how many are asked for (0 while they are tried one by one), how many have been taken, and up to
-  // which one it is known beforehand that nothing happens.
-  asked = 0
-  taken = 0
-  free = 0
-  /** 1: all that the next step needs for one of a row is known. */
-  inRow: 0 | 1 = 0
-  /** Where the steps of a row are noted. */
-  log: MotionLog | undefined
-  /** 1: a step of the row ends with more than a sum of the heat. */
-  atEnd: 0 | 1 = 0
-  // A step of a row that ends between these has met no jump of the law.
-  low = NaN
-  high = NaN
-  slowest = NaN
-  fastest = NaN
-  // What a step that is not kept has counted is taken back.
-  keptEvaluations = 0
-  unsolvedAt = -1
-
-  /** The state at the beginning of the step, to which `rewind` returns. */
-  startS = NaN
-  startV = NaN
-  startA = NaN
-  startKnown: 0 | 1 = 0
-
-  /** Where the piece of track whose law holds begins and ends [m]. */
+  // The piece of track that the block is on: its law holds from one distance to the other [m].
   from = NaN
   to = NaN
-  /** On that piece the acceleration is asked for (0), one number (1), or that and terms in s and v (2). */
-  kind: 0 | 1 | 2 = 0
-  forces: Forces
-  steady = NaN
-  perMetre = NaN
-  perSquare = NaN
+  curvature = NaN
+  // The direction of that piece below the horizontal [rad], at a distance along it [m].
+  private slope = NaN
+  private at = NaN
+  /** Gravity along the track and into it, per mass; on a bend, at the distance of the last evaluation [m/s²]. */
+  tangential = NaN
+  weight = NaN
+  /** The slip direction times the coefficient of kinetic friction. */
   friction = NaN
-  askedS = NaN
-  askedV = NaN
-  answer = NaN
+  /** The acceleration is one number all along the piece: by gravity and friction alone, on a straight [m/s²]. */
+  private isSteady = false
+  private steady = NaN
+  /** Where the acceleration is evaluated, and what it is there [m, m/s, m/s²]. */
+  atS = NaN
+  atV = NaN
+  atA = NaN
+  // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
+  rate = NaN
+  ratePerSpeed = NaN
+  /** What resisted at the end of the last step. */
+  resistance = Resistance.pair()
 
-  // Heat: what has been added up, and what friction has made since it was at `rubbedFrom` where its force is always the same
-  // and so is the acceleration [J, N, m]; the force in other steps [N], or 1 for `rubs` where it changes along the step.
-  summed = NaN
-  evenRubbing = NaN
-  rubbedFrom = NaN
-  rubbing = NaN
-  rubs: 0 | 1 = 0
-  /** The normal force per mass at the end of the last step, where it changes along the piece [m/s²]. */
-  pressed = NaN
-  /** The acceleration at the end of the last step, where the normal force has been felt there for the heat. */
-  feltS = NaN
-  feltV = NaN
-  feltA = NaN
-  endS = NaN
-  endV = NaN
-
-  // What is called apart from the integrators. Set twice, since a function that an engine knows to be always the same it would
-  // compile in after all.
-  private ask = endStep
-  private note = accelerate
+  /** The state at which the step began, to which `rewind` returns. */
+  startS = NaN
+  startV = NaN
+  private startA = NaN
+  private startKnown = false
 
   readonly law: Law
-  readonly contact = new Contact()
-  readonly felt: readonly Forces[]
+  private observer: Observer | undefined
+  private readonly direction = new SinCos()
 
-  constructor(law: Law, s: number, v: number) {
+  constructor(law: Law, s: number, v: number, slipHeld: boolean) {
     this.law = law
-    this.ask = accelerate
-    this.note = endStep
-    this.felt = law.forces.map(feltOn)
-    this.forces = this.felt[0]!
-    this.s = this.rubbedFrom = s
-    this.v = v
-    this.summed = this.evenRubbing = this.elapsed = 0
-    this.slip = v > 0 ? 1 : v < 0 ? -1 : 0
-    enterPiece(this)
-  }
-
-  /** Energy that friction has turned into heat [J]. */
-  get heat(): number {
-    return this.summed + this.evenRubbing * Math.abs(this.s - this.rubbedFrom)
-  }
-
-  /**
-   * dv/dt at a distance and a speed of the present piece [m/s²]: what an integrator asks for. Short, so that an engine
-   * compiles it into every integrator, and no number is boxed.
-   */
-  acceleration(s: number, v: number): number {
-    const { kind, steady } = this
-    if (kind === 1) return steady
-    if (kind === 2)
-      return steady - this.perMetre * s - this.perSquare * v * Math.abs(v) - this.friction
-    this.askedS = s
-    this.askedV = v
-    apart(this.ask, this)
-    return this.answer
-  }
-
-  /**
-   * Ends a step at a distance and a speed: what an integrator calls, with how many steps that makes since it was called.
-   * Returns whether it goes on from there with another. A step of those in a row that met a jump of the law is not kept:
-   * the stopping rule takes it again.
-   */
-  goesOn(s: number, v: number, taken: number): boolean {
-    const { log, asked } = this
-    if (log !== undefined) {
-      const row = log.last + taken
-      log.s[row] = s
-      log.v[row] = v
-    }
-    if (taken < this.free) return true
-    if (asked > 0) {
-      if (!(v > this.slowest && v < this.fastest && s > this.low && s < this.high)) return false
-      this.taken = taken
-      if (this.atEnd === 1) {
-        this.endS = s
-        this.endV = v
-        apart(this.note, this)
-      } else this.summed += this.rubbing * Math.abs(s - this.s)
-    }
+    this.slipHeld = slipHeld
     this.s = s
     this.v = v
-    return taken < asked
+    this.heat = this.elapsed = 0
+    this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
+    this.enterPiece()
   }
 
-  /** Counts a step whose equation was not solved to rounding. */
-  leaveUnsolved(): void {
-    this.unsolved++
-    this.unsolvedAt = this.evaluations
+  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
+  get moving(): boolean {
+    return this.outcome === 'moving'
   }
 
-  /** Sets `drive` and `press` to what they are at the present `s` and `v`. */
-  feel(): void {
-    const { contact, forces } = this
-    contact.s = this.s
-    contact.v = this.v
-    forces(contact)
-    this.drive = contact.drive
-    this.press = contact.press
+  /**
+   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 compiles it
+   * into every integrator, where no number need be boxed to be passed: the law reads and writes fields.
+   */
+  acceleration(s: number, v: number): number {
+    this.atS = s
+    this.atV = v
+    this.evaluate()
+    return this.atA
   }
 
-  /** Notes the state as the beginning of a step. */
+  /** The law of motion of every scene: sets `atA` to what dv/dt is at `atS` and `atV`. */
+  private evaluate(): void {
+    this.evaluations++
+    if (this.isSteady) {
+      this.atA = this.steady
+      return
+    }
+    const { atS: s, atV: v, law } = this
+    if (this.curvature !== 0) this.turn()
+    if (!this.slipHeld) this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
+    // #region law
+    const drive = this.tangential - law.stiffness * s - law.drag * v * Math.abs(v)
+    const press = this.weight + this.curvature * (v * v)
+    this.atA = drive - this.friction * press
+    // #endregion
+    if (this.observer !== undefined) this.observer(this)
+  }
+
+  /** Sets `tangential` and `weight` to what gravity comes to at `atS` on a bend. */
+  turn(): void {
+    const { direction, law } = this
+    direction.angle = this.slope - this.curvature * (this.atS - this.at)
+    direction.find()
+    this.tangential = law.gravity * direction.sin
+    this.weight = law.gravity * direction.cos
+  }
+
+  /** Takes a direction of sliding, which friction opposes from now on. */
+  slide(slip: -1 | 0 | 1): void {
+    this.slip = slip
+    this.friction = slip * this.law.muKinetic
+    this.resistance.s = NaN
+    this.steady = this.tangential - this.friction * this.weight
+  }
+
+  /** Has each evaluation of the acceleration shown to somebody, or to nobody. */
+  observe(observer: Observer | undefined): void {
+    const { law, slipHeld, curvature } = this
+    this.observer = observer
+    this.isSteady =
+      observer === undefined && slipHeld && curvature === 0 && law.stiffness === 0 && law.drag === 0
+  }
+
+  /**
+   * Finds the piece of track that the block is on, or at a joint the one that it slides into, and takes up its law.
+   * Returns false where there is no track.
+   */
+  enterPiece(): boolean {
+    const { s, slip, law } = this
+    const { track, gravity, muKinetic } = law
+    let i = 0
+    while (i < track.length - 1 && (slip < 0 ? s > track[i]!.to : s >= track[i]!.to)) i++
+    const piece = track[i]!
+    this.from = Math.max(piece.from, -FAR)
+    this.to = Math.min(piece.to, FAR)
+    this.curvature = piece.curvature
+    this.slope = piece.slope
+    this.at = piece.at
+    this.tangential = gravity * piece.sin
+    this.weight = gravity * piece.cos
+    this.known = false
+    this.observe(this.observer)
+    this.slide(slip)
+    this.reusable = law.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
+    const bend = Math.abs(piece.curvature)
+    this.rate = 0.5 * Math.sqrt(gravity * bend * (1 + muKinetic))
+    if (law.turnMatters) this.rate += Math.sqrt(law.stiffness) / Math.PI
+    this.ratePerSpeed = bend * (0.5 + muKinetic)
+    return slip < 0 ? s > piece.from && s <= piece.to : s >= piece.from && s < piece.to
+  }
+
+  /**
+   * Decides for a block with v = 0 whether it moves: static friction holds it while |drive| ≤ μs press. Otherwise it
+   * sets off along the drive.
+   */
+  // #region rest
+  setsOff(): boolean {
+    this.slide(0)
+    const drive = this.acceleration(this.s, 0)
+    const terms = Math.abs(this.tangential) + Math.abs(this.law.stiffness * this.s)
+    if (holds(drive, this.law.muStatic * this.weight, terms)) {
+      this.end('at-rest')
+      return false
+    }
+    this.slide(drive > 0 ? 1 : -1)
+    // At a joint it sets off into the piece on that side.
+    if (this.enterPiece()) return true
+    this.end('left-the-track')
+    return false
+  }
+  // #endregion
+
+  /** Notes the state as the beginning of a step of that length [s]. */
   begin(): void {
     this.startS = this.s
     this.startV = this.v
@@ -203,25 +206,14 @@ export class Motion {
     this.known = this.startKnown
   }
 
+  /** Brings the block to rest where it is. */
+  stop(): void {
+    this.v = 0
+    this.known = false
+  }
+
   /** Ends the motion: nothing that is left of the step, and no later one, changes it. */
   end(outcome: 'at-rest' | 'left-the-track' | 'diverged'): void {
-    this.moving = false
     this.outcome = outcome
   }
-}
-
-function accelerate(motion: Motion): void {
-  const { contact, forces, law, askedS: s, askedV: v } = motion
-  // Steps that are tried one by one are watched at times: each look is one of its own.
-  if (motion.asked > 0 && s === motion.feltS && v === motion.feltV) {
-    motion.answer = motion.feltA
-    return
-  }
-  contact.s = s
-  contact.v = v
-  forces(contact)
-  // #region accelerate
-  const slip = motion.slipHeld ? motion.slip : v > 0 ? 1 : v < 0 ? -1 : 0
-  motion.answer = contact.drive - slip * law.muKinetic * contact.press
-  // #endregion
 }

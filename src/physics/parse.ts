@@ -1,38 +1,56 @@
 import { defaults, limits } from './experiment.ts'
 import type { ResolvedExperiment } from './experiment.ts'
-import type { FrameClock } from './frameClock.ts'
 import { frameClocks } from './frames/index.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
-import type { NumberOption, Option, Options } from './options.ts'
+import type { ListOption, NumberOption, Option, Options } from './options.ts'
 import { ExperimentError, MOST_SHOWN, nearest, shorten, show } from './problems.ts'
 import type { Problem } from './problems.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
 import { stoppings } from './stopping/index.ts'
-import type { TimestepPolicy } from './timestepPolicy.ts'
 import { timesteps } from './timesteps/index.ts'
+import { workProblems } from './work.ts'
 
 const KEYS = ['scene', 'parameters', 'integrator', 'stopping', 'timestep', 'frames', 'duration']
 
+/** What the parameters under an unknown scene are held to. */
+const parametersOfAll: Scene['parameters'] = Object.assign(
+  {},
+  ...scenes.map(({ parameters }) => parameters),
+)
+
 /**
  * The only way in: turns any value (read from an address, an attribute, a message, a file) into an experiment with
- * nothing left out.
+ * nothing left out. Every property is read once, into plain data that shares nothing with the value.
  *
  * @throws ExperimentError that names every problem: the path, what was given and what is allowed
  */
 export function parseExperiment(value: unknown): ResolvedExperiment {
   const reader = new Reader()
-  const given = reader.object('', value, KEYS)
+  const experiment = readExperiment(reader, value)
+  if (reader.accepts('duration', 'frames', 'timestep'))
+    reader.problems.push(...workProblems(experiment, reader.problems.length === 0))
+  return reader.finish(experiment)
+}
+
+/**
+ * As `parseExperiment`, for a run whose frames its caller gives: `frames` and `duration` may ask for any amount of work,
+ * since the run uses neither.
+ */
+export function parseForRun(value: unknown): ResolvedExperiment {
+  const reader = new Reader()
+  return reader.finish(readExperiment(reader, value))
+}
+
+function readExperiment(reader: Reader, value: unknown): ResolvedExperiment {
+  const given = reader.read('', value, KEYS, `an object with any of ${KEYS.join(', ')}`)
   if (!given) throw new ExperimentError(reader.problems)
-  if (!Object.hasOwn(given, 'scene'))
-    reader.report('scene', `is missing; it is one of ${ids(scenes)}`)
-  const sceneId = Object.hasOwn(given, 'scene')
-    ? reader.id('scene', given.scene, scenes)
-    : undefined
+  reader.reportUnknown('', given, KEYS)
+  if (!('scene' in given)) reader.report('scene', `is missing; it is one of ${ids(scenes)}`)
+  const sceneId = 'scene' in given ? reader.id('scene', given.scene, scenes) : undefined
   const scene: Scene | undefined = sceneId === undefined ? undefined : entry(scenes, sceneId)
   const {
-    parameters = {},
     integrator = defaults.integrator,
     stopping = defaults.stopping,
     timestep = defaults.timestep,
@@ -41,48 +59,42 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
   } = given
   const experiment = {
     scene: sceneId!,
-    parameters: scene ? reader.options('parameters', parameters, scene.parameters) : {},
+    parameters: readParameters(reader, given.parameters, scene),
     integrator: reader.id('integrator', integrator, integrators),
     stopping: reader.id('stopping', stopping, stoppings),
     timestep: reader.choice('timestep', timestep, timesteps),
     frames: reader.choice('frames', frames, frameClocks),
     duration: reader.number('duration', duration, { min: 0, max: limits.duration }),
-  } as ResolvedExperiment
-  if (reader.problems.length === 0) {
-    const conflict = scene!.conflict?.(experiment.parameters)
-    if (conflict)
-      reader.report(
-        `parameters.${conflict.parameter}`,
-        `${show(experiment.parameters[conflict.parameter])} ${conflict.problem}`,
-      )
-    boundWork(experiment, reader)
   }
-  if (reader.problems.length > 0) throw new ExperimentError(reader.problems)
-  return experiment
+  return experiment as ResolvedExperiment
 }
 
-/** Refuses a run that would take too long, before it starts. */
-function boundWork({ duration, frames, timestep }: ResolvedExperiment, reader: Reader): void {
-  const clock: FrameClock = entry(frameClocks, frames.kind)
-  const policy: TimestepPolicy = entry(timesteps, timestep.kind)
-  const frameCount = clock.frames(frames as never, duration)
-  const stepCount = policy.steps(timestep as never, duration, frameCount)
-  if (frameCount > limits.frames)
+function readParameters(reader: Reader, value: unknown = {}, scene: Scene | undefined) {
+  const options = scene?.parameters ?? parametersOfAll
+  const names = Object.keys(options)
+  const path = 'parameters'
+  const given = reader.read(path, value, names, `an object with any of ${names.join(', ')}`)
+  if (!given) return undefined
+  reader.reportUnknown(path, given, names)
+  const parameters = reader.options(path, given, options) as Record<string, number>
+  const { muStatic, muKinetic } = parameters
+  // What brakes a block that slides holds it at rest, too. The default of one follows the other where that is given.
+  if (muStatic! < muKinetic!) {
+    if (!('muStatic' in given)) parameters.muStatic = muKinetic!
+    else if (!('muKinetic' in given)) parameters.muKinetic = muStatic!
+    else
+      reader.report(
+        `${path}.muStatic`,
+        `${muStatic} is less than muKinetic, ${muKinetic}; static friction is never below kinetic`,
+      )
+  }
+  const conflict = reader.accepts(path) ? scene?.conflict?.(parameters) : undefined
+  if (conflict)
     reader.report(
-      'duration',
-      `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
+      `${path}.${conflict.parameter}`,
+      `${show(parameters[conflict.parameter])} ${conflict.problem}`,
     )
-  if (stepCount > limits.steps)
-    reader.report(
-      'timestep.step',
-      `asks for ${count(stepCount)} steps, more than ${count(limits.steps)}; lengthen the step or shorten the duration`,
-    )
-}
-
-function count(x: number): string {
-  return Math.round(x)
-    .toString()
-    .replace(/\B(?=(\d{3})+$)/g, '\u202f')
+  return parameters
 }
 
 function ids(list: readonly { readonly id: string }[]): string {
@@ -92,33 +104,55 @@ function ids(list: readonly { readonly id: string }[]): string {
 /** Reads values of every kind, and notes what is wrong instead of stopping at it. */
 class Reader {
   readonly problems: Problem[] = []
+  /** Where a getter or a Proxy threw: what is made of the lack is no problem of its own. */
+  private readonly unread = new Set<string>()
 
   report(path: string, message: string): void {
-    this.problems.push({ path, message })
+    if (!this.unread.has(path)) this.problems.push({ path, message })
   }
 
-  object(
+  /** No problem so far lies in these properties of the experiment. */
+  accepts(...roots: readonly string[]): boolean {
+    return !this.problems.some(({ path }) => roots.includes(path.split('.')[0]!))
+  }
+
+  finish(experiment: ResolvedExperiment): ResolvedExperiment {
+    if (this.problems.length > 0) throw new ExperimentError(this.problems)
+    return experiment
+  }
+
+  /** The object's own keys, with the values of those that are asked for. */
+  read(
     path: string,
     value: unknown,
-    known: readonly string[],
+    names: readonly string[],
+    wanted: string,
   ): Record<string, unknown> | undefined {
-    if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-      this.report(path, `${show(value)} is not an object with any of ${known.join(', ')}`)
+    const keys = this.attempt(path, () =>
+      typeof value === 'object' && value !== null && !Array.isArray(value)
+        ? Object.keys(value)
+        : undefined,
+    )
+    if (!keys) {
+      this.report(path, `${show(value)} is not ${wanted}`)
       return undefined
     }
-    for (const key of Object.keys(value)) {
+    const given = Object.create(null) as Record<string, unknown>
+    for (const key of keys)
+      given[key] = names.includes(key)
+        ? this.attempt(path ? `${path}.${key}` : key, () => (value as typeof given)[key])
+        : undefined
+    return given
+  }
+
+  reportUnknown(path: string, given: object, known: readonly string[]): void {
+    for (const key of Object.keys(given)) {
       if (known.includes(key)) continue
       // A guess takes a while, and nobody reads a thousand.
       const name = this.problems.length < MOST_SHOWN ? nearest(key, known) : undefined
       const hint = name ? `did you mean ${name}?` : `known are ${known.join(', ')}`
       this.report(path ? `${path}.${shorten(key)}` : shorten(key), `is not known here; ${hint}`)
     }
-    // Inherited properties are nobody's wish: only the object's own count.
-    return Object.fromEntries(
-      known
-        .filter((key) => Object.hasOwn(value, key))
-        .map((key) => [key, (value as Record<string, unknown>)[key]]),
-    )
   }
 
   id(path: string, value: unknown, list: readonly { readonly id: string }[]): string | undefined {
@@ -153,34 +187,10 @@ class Reader {
     return NaN
   }
 
-  option(path: string, value: unknown, option: Option): unknown {
-    if (option.type === 'number') return this.number(path, value, option)
-    if (option.type === 'choice') {
-      return this.id(
-        path,
-        value,
-        option.choices.map((id) => ({ id })),
-      )
-    }
-    if (!Array.isArray(value)) this.report(path, `${show(value)} is not a list of numbers`)
-    else if (value.length < 1 || value.length > option.maxLength)
-      this.report(path, `${show(value)} does not hold 1…${option.maxLength} numbers`)
-    // Array.from sees the holes of a list, which `map` skips.
-    else return Array.from(value, (item, i) => this.number(`${path}[${i}]`, item, option))
-    return undefined
-  }
-
-  options(
-    path: string,
-    value: unknown,
-    options: Options,
-    also: readonly string[] = [],
-  ): Record<string, unknown> {
-    const given = this.object(path, value, [...also, ...Object.keys(options)])
+  options(path: string, given: Record<string, unknown>, options: Options): Record<string, unknown> {
     const result: Record<string, unknown> = {}
     for (const [key, option] of Object.entries(options)) {
-      if (!given) continue
-      if (Object.hasOwn(given, key)) result[key] = this.option(`${path}.${key}`, given[key], option)
+      if (key in given) result[key] = this.option(`${path}.${key}`, given[key], option)
       else if (option.optional) result[key] = option.initial
       else this.report(`${path}.${key}`, 'is missing')
     }
@@ -192,13 +202,53 @@ class Reader {
     value: unknown,
     list: readonly { readonly id: string; readonly options: Options }[],
   ): unknown {
-    // What else may be wrong with it, `options` says.
-    if (value === null || !Object.hasOwn(value as object, 'kind')) {
-      this.report(path, `${show(value)} is not an object with a kind, one of ${ids(list)}`)
+    const names = ['kind', ...list.flatMap(({ options }) => Object.keys(options))]
+    const wanted = `an object with a kind, one of ${ids(list)}`
+    const given = this.read(path, value, names, wanted)
+    if (!given) return undefined
+    if (!('kind' in given)) {
+      this.report(path, `${show(value)} is not ${wanted}`)
       return undefined
     }
-    const kind = this.id(`${path}.kind`, (value as { kind: unknown }).kind, list)
+    const kind = this.id(`${path}.kind`, given.kind, list)
     if (kind === undefined) return undefined
-    return { kind, ...this.options(path, value, entry(list, kind).options, ['kind']) }
+    const { options } = entry(list, kind)
+    this.reportUnknown(path, given, ['kind', ...Object.keys(options)])
+    return { kind, ...this.options(path, given, options) }
+  }
+
+  private option(path: string, value: unknown, option: Option): unknown {
+    if (option.type === 'number') return this.number(path, value, option)
+    if (option.type === 'list') return this.list(path, value, option)
+    return this.id(
+      path,
+      value,
+      option.choices.map((id) => ({ id })),
+    )
+  }
+
+  private list(path: string, value: unknown, option: ListOption): number[] | undefined {
+    const length = this.attempt(path, () => (Array.isArray(value) ? value.length : undefined))
+    if (length === undefined) this.report(path, `${show(value)} is not a list of numbers`)
+    else if (!(length >= 1 && length <= option.maxLength))
+      this.report(path, `${show(value)} does not hold 1…${option.maxLength} numbers`)
+    else
+      return Array.from({ length }, (_, i) => {
+        const at = `${path}[${i}]`
+        const item = this.attempt(at, () => (value as unknown[])[i])
+        return this.number(at, item, option)
+      })
+    return undefined
+  }
+
+  /** What a getter or a Proxy gives; where it throws, that is a problem. */
+  private attempt<T>(path: string, get: () => T): T | undefined {
+    try {
+      return get()
+    } catch (error) {
+      this.report(path, `could not be read: ${show(error)}`)
+      this.unread.add(path)
+      return undefined
+    }
   }
 }

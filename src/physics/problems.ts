@@ -28,8 +28,18 @@ const LONGEST = 40
 
 /** A value as a message shows it: short, whatever it is. */
 export function show(value: unknown): string {
+  try {
+    return shown(value)
+  } catch {
+    // A Proxy throws what it likes.
+    return 'something unreadable'
+  }
+}
+
+function shown(value: unknown): string {
   if (typeof value === 'string') return `"${shorten(value)}"`
   if (Array.isArray(value)) return `a list of ${value.length}`
+  if (value instanceof Error) return `the error "${shorten(value.message)}"`
   if (typeof value === 'object' && value !== null) return 'an object'
   if (typeof value === 'function') return 'a function'
   if (Object.is(value, -0)) return '-0'

@@ -5,16 +5,19 @@
 export class Random {
   private state: number
 
-  /** `seed`: a whole number in 0 … 2³² − 1. */
+  /** `seed`: a whole number in 0 … 2³² − 1, mixed so that seeds a Weyl step apart do not give one sequence shifted. */
   constructor(seed: number) {
-    this.state = seed | 0
+    this.state = mixed(seed)
   }
 
   next(): number {
     this.state = (this.state + 0x9e3779b9) | 0
-    let bits = this.state
-    bits = Math.imul(bits ^ (bits >>> 16), 0x85ebca6b)
-    bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35)
-    return (bits ^ (bits >>> 16)) >>> 0
+    return mixed(this.state) >>> 0
   }
+}
+
+function mixed(bits: number): number {
+  bits = Math.imul(bits ^ (bits >>> 16), 0x85ebca6b)
+  bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35)
+  return bits ^ (bits >>> 16)
 }

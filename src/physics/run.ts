@@ -1,13 +1,17 @@
 import type { ResolvedExperiment } from './experiment.ts'
 import { ExactSum } from './exactSum.ts'
-import { noteHeat } from './heat.ts'
+import type { Integrator } from './integrator.ts'
+import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
-import type { Motion } from './motion.ts'
-import type { MotionLog } from './motionLog.ts'
-import { Stepper } from './stepper.ts'
-import type { Watch } from './stepper.ts'
+import { Motion } from './motion.ts'
+import { show } from './problems.ts'
+import type { Scene } from './scene.ts'
+import { scenes } from './scenes/index.ts'
+import { advance } from './step.ts'
+import { stoppings } from './stopping/index.ts'
+import type { StoppingRule } from './stoppingRule.ts'
 import { timesteps } from './timesteps/index.ts'
-import type { Advance, TimestepPolicy } from './timestepPolicy.ts'
+import type { Advance, FrameContext, TimestepPolicy } from './timestepPolicy.ts'
 
 /** How a run stands or ended, and since when on the physics clock [s]. */
 export interface Outcome {
@@ -19,7 +23,7 @@ export interface Outcome {
  * A run of an experiment, one frame at a time: what a game loop calls. `simulate` is a loop around it.
  * Made by `createRun`.
  */
-export class Run {
+export class Run implements FrameContext {
   /** The block: `s` [m] and `v` [m/s] are its state. */
   readonly motion: Motion
   /** Time on the wall clock, the sum of all frames [s]. */
@@ -37,20 +41,28 @@ export class Run {
   /** Steps that the timestep policy asked for. */
   steps = 0
 
-  /** Each frame is one step, and nothing else: frames may be taken in a row. */
-  readonly stepIsFrame: boolean
-
   private outcomeTime = NaN
   private readonly wallClock = new ExactSum()
-  private readonly stepper: Stepper
-  private readonly advance: Advance
+  private readonly integrator: Integrator
+  private readonly rule: StoppingRule
+  private readonly policy: Advance
+  private readonly advance: typeof advance
 
-  constructor(experiment: ResolvedExperiment, watch?: Watch) {
+  /** @param step what takes each step: `advance`, or what watches it */
+  constructor(experiment: ResolvedExperiment, step = advance) {
+    const scene: Scene = entry(scenes, experiment.scene)
     const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
-    this.advance = timestep.start(experiment.timestep as never)
-    this.stepIsFrame = timestep.stepIsFrame === true
-    this.stepper = new Stepper(experiment, watch)
-    this.motion = this.stepper.motion
+    const { parameters } = experiment
+    this.integrator = entry(integrators, experiment.integrator)
+    this.rule = entry(stoppings, experiment.stopping)
+    this.policy = timestep.start(experiment.timestep as never)
+    this.advance = step
+    this.motion = new Motion(
+      scene.law(parameters),
+      parameters.position!,
+      parameters.speed!,
+      this.rule.holdsSlip,
+    )
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
@@ -67,7 +79,7 @@ export class Run {
     return !moving && outcome !== 'at-rest'
   }
 
-  /** Heat that friction has made [J]. */
+  /** Heat that friction and drag have made [J]. */
   get heat(): number {
     return this.motion.heat
   }
@@ -81,12 +93,12 @@ export class Run {
    * Moves on by a frame.
    *
    * @param duration how long the frame lasts [s], finite and not negative
-   * @throws RangeError where it is not
+   * @throws RangeError where it is not, or where the time of the run would no longer be finite
    */
   frame(duration: number): void {
-    if (!(duration >= 0 && duration < Infinity))
+    if (!(typeof duration === 'number' && duration >= 0 && this.time + duration < Infinity))
       throw new RangeError(
-        `A frame of ${String(duration)} s: a frame lasts a finite number of seconds, 0 or more.`,
+        `A frame of ${show(duration)}: a frame lasts a finite number of seconds, 0 or more, and so does the run.`,
       )
     this.wallClock.add(duration)
     this.frameDuration = duration
@@ -100,44 +112,30 @@ export class Run {
    */
   advanceFrame(): void {
     this.frames++
-    if (this.ended) return
-    this.advance(this)
-    if (this.ended) {
+    const { motion } = this
+    if (!motion.moving && this.ended) return
+    this.policy(this)
+    if (!motion.moving && this.ended) {
       this.stateTime = this.outcomeTime
-      this.drawnS = this.motion.s
+      this.drawnS = motion.s
     }
   }
 
-  /**
-   * Takes that many steps of `motion.dt` seconds: what a timestep policy calls.
-   *
-   * @param before of those that `stateTime` does not count yet, how many steps have been taken
-   */
+  /** Ends the run as diverged, where going on would take more work than a run may. */
+  abandon(): void {
+    if (this.ended) return
+    this.motion.end('diverged')
+    this.outcomeTime = this.stateTime
+  }
+
   step(count = 1, before = 0): void {
     const { motion } = this
     this.steps += count
-    if (!motion.moving) return
-    const over = this.stepper.steps(count)
-    if (!motion.moving)
-      this.outcomeTime = this.stateTime + (before + over) * motion.dt + motion.elapsed
+    for (let i = 0; i < count && motion.moving; i++) {
+      this.advance(motion, this.integrator, this.rule)
+      if (!motion.moving)
+        this.outcomeTime = this.stateTime + (before + i) * motion.dt + motion.elapsed
+    }
     this.drawnS = motion.s
-  }
-
-  /**
-   * Where each frame is one step: moves on by a row of frames, that many at the most, as far as none needs the stopping rule.
-   * The log says how long they last and takes their states. Returns how many; whoever calls it sets `time` and `stateTime`.
-   */
-  frameRow(most: number, log: MotionLog): number {
-    const { motion } = this
-    if (!motion.moving) return 0
-    motion.log = log
-    motion.dt = log.lengths[0]!
-    const taken = this.stepper.row(most)
-    motion.log = undefined
-    noteHeat(motion, log, taken)
-    this.frames += taken
-    this.steps += taken
-    this.drawnS = motion.s
-    return taken
   }
 }

@@ -1,29 +1,13 @@
-import type { Described, NumberOption } from './options.ts'
+import { exactOf } from './exact/motion.ts'
+import { lawOf } from './law.ts'
 import type { Law } from './law.ts'
+import type { Described, NumberOption } from './options.ts'
+import { placeOn } from './track.ts'
+import type { ExactMotion, Parameters, Place } from './state.ts'
+import type { Track } from './track.ts'
 
-/** Where a motion stands: distance along the track [m] and speed [m/s]. */
-export interface State {
-  s: number
-  v: number
-}
-
-/** A motion known at every instant: sets `into` to the state at the time t ≥ 0 [s] and returns it. */
-export type ExactMotion = (t: number, into: State) => State
-
-/** A point of a track, in a frame with x to the right and y upwards [m]. */
-export interface Place {
-  x: number
-  y: number
-  /** The direction of growing s, below the horizontal [rad]. */
-  slope: number
-  /** How fast the slope falls off along the track, −dslope/ds: positive where the track bends upwards [1/m]. */
-  curvature: number
-}
-
-export type Parameters = Readonly<Record<string, number>>
-
-/** A scene: one kind of track and the forces on a block there. */
-export interface Scene extends Described {
+/** What a scene is: a track, what can be set, and how it is shown. All else follows from the track. */
+export interface SceneData extends Described {
   readonly parameters: Readonly<Record<string, NumberOption>>
   /** How long a run lasts unless it says otherwise [s]. */
   readonly duration: number
@@ -31,7 +15,12 @@ export interface Scene extends Described {
   readonly facing: 1 | -1
   /** What is wrong with parameters that are each in range but don't go together; undefined where nothing is. */
   conflict?(parameters: Parameters): { parameter: string; problem: string } | undefined
-  /** The law that a step integrates. */
+  track(parameters: Parameters): Track
+}
+
+/** A scene with what follows from its track. */
+export interface Scene extends SceneData {
+  /** The constants of the law that a step integrates. */
   law(parameters: Parameters): Law
   /** The point of the track at a distance s. */
   place(parameters: Parameters, s: number): Place
@@ -39,4 +28,26 @@ export interface Scene extends Described {
   potential(parameters: Parameters, s: number): number
   /** The true motion, from the closed form or to rounding. */
   exact(parameters: Parameters): ExactMotion
+}
+
+/** Completes a scene. A force that it has no parameter for does not act in it. */
+export function defineScene<const T extends SceneData>(data: T): T & Scene {
+  // A picture asks for hundreds of points of the same track.
+  const tracks = new WeakMap<Parameters, Track>()
+  const track = (parameters: Parameters): Track => {
+    const known = tracks.get(parameters) ?? data.track(parameters)
+    tracks.set(parameters, known)
+    return known
+  }
+  return {
+    ...data,
+    track,
+    law: (parameters) => lawOf(track(parameters), parameters),
+    place: (parameters, s) => placeOn(track(parameters), s),
+    potential: (parameters, s) => {
+      const { gravity = 0, stiffness = 0, mass = 1 } = parameters
+      return gravity * placeOn(track(parameters), s).y + 0.5 * (stiffness / mass) * s * s
+    },
+    exact: (parameters) => exactOf(track(parameters), parameters),
+  }
 }

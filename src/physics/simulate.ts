@@ -1,9 +1,7 @@
+import { limits } from './experiment.ts'
 import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
-import type { FrameClock } from './frameClock.ts'
-import { frameClocks } from './frames/index.ts'
-import { entry } from './lists.ts'
-import { parseExperiment } from './parse.ts'
+import { parseExperiment, parseForRun } from './parse.ts'
 import { Run } from './run.ts'
 import { Recorder } from './trajectory.ts'
 import type { Trajectory } from './trajectory.ts'
@@ -15,7 +13,7 @@ import type { Trajectory } from './trajectory.ts'
  * @throws ExperimentError for an experiment that can't be run
  */
 export function createRun(experiment: Experiment): Run {
-  return new Run(parseExperiment(experiment))
+  return new Run(parseForRun(experiment))
 }
 
 /**
@@ -25,16 +23,14 @@ export function createRun(experiment: Experiment): Run {
  */
 export function simulate(experiment: Experiment): Trajectory {
   const resolved = parseExperiment(experiment)
-  const clock: FrameClock = entry(frameClocks, resolved.frames.kind)
-  const expected = clock.frames(resolved.frames as never, resolved.duration)
-  // Rounding does not make a frame more of a whole number of them.
-  const recorder = new Recorder(Math.ceil(expected * (1 - 1e-9)) + 1)
   const loop = new FrameLoop(resolved)
-  recorder.record(loop.run)
-  while (loop.goesOn) {
-    loop.row(recorder)
-    loop.next()
-    recorder.record(loop.run)
+  const { run } = loop
+  const recorder = new Recorder(loop.expectedFrames + 1)
+  recorder.record(run)
+  while (loop.next()) {
+    // What no forecast of the work has seen coming, such as a step cut into thousands.
+    if (run.evaluations > limits.evaluations) run.abandon()
+    recorder.record(run)
   }
-  return recorder.trajectory(resolved, loop.run)
+  return recorder.trajectory(resolved, run)
 }

@@ -1,8 +1,23 @@
 import type { Described, Options } from './options.ts'
-import type { Run } from './run.ts'
 
-/** Turns one frame of a run into steps of the motion: reads `run.frameDuration` and `run.time`, calls `run.step`. */
-export type Advance = (run: Run) => void
+/** One frame after another, as a timestep policy sees them. */
+export interface FrameContext {
+  /** How long the frame lasts, and the time on the wall clock at its end [s]. */
+  readonly frameDuration: number
+  readonly time: number
+  /** The block; `dt` is for the policy to set [s]. */
+  readonly motion: { readonly s: number; readonly v: number; dt: number }
+  /** What the policy says of the frame: the time that the physics state stands at, the time dropped so far [s]. */
+  stateTime: number
+  lostTime: number
+  /** The position to draw; a step sets it to where the block is [m]. */
+  drawnS: number
+  /** Takes that many steps of `motion.dt` seconds, `before` of them since the time that `stateTime` holds. */
+  step(count?: number, before?: number): void
+}
+
+/** Turns one frame into steps of the motion. */
+export type Advance = (frame: FrameContext) => void
 
 /** How physics time follows from frame time. */
 export interface TimestepPolicy extends Described {
@@ -11,8 +26,6 @@ export interface TimestepPolicy extends Described {
   readonly losesTime: boolean
   /** About how many steps a run of that many seconds and frames asks for, at the most. */
   steps(options: never, duration: number, frames: number): number
-  /** Each frame is one step as long as the frame, and nothing else: frames may be taken in a row. */
-  readonly stepIsFrame?: true
   start(options: never): Advance
 }
 

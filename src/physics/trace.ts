@@ -1,15 +1,13 @@
 import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
 import type { Integrator } from './integrator.ts'
-import { feltOn } from './law.ts'
-import type { Contact, Law } from './law.ts'
 import type { Motion } from './motion.ts'
 import { parseExperiment } from './parse.ts'
-import type { Watch } from './stepper.ts'
-import type { State } from './scene.ts'
+import type { State } from './state.ts'
+import { advance } from './step.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
-/** One look at the forces: where, and what they were per mass [m/s²]. */
+/** One evaluation of the forces: where, and what they were per mass [m/s²]. */
 export interface Evaluation extends State {
   drive: number
   press: number
@@ -36,11 +34,11 @@ export interface Stretch {
   /** When it begins, in the step that the policy asked for [s]. */
   begins: number
   tries: TriedStep[]
-  /** What ended it, if not the step's end. */
-  jump?: 'stop' | 'joint'
+  /** What ended it, if not the step's end: a stop, a joint, or that the law changes too much for a longer step. */
+  ends?: 'stop' | 'joint' | 'cut'
 }
 
-/** A look at a block with v = 0, whether static friction holds it; `a` is the drive that it has to hold against. */
+/** An evaluation for a block with v = 0, whether static friction holds it; `a` is the drive that it has to hold against. */
 export interface Standing extends Evaluation {
   /** When, in the step that the policy asked for [s]. */
   begins: number
@@ -65,116 +63,66 @@ export interface PolicyStep {
  * @throws ExperimentError for an experiment that can't be run, RangeError for a frame that it does not have
  */
 export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] {
-  const watcher = new Watcher()
-  const loop = new FrameLoop(parseExperiment(experiment), watcher)
-  for (let i = 1; i <= frame && loop.goesOn; i++) {
-    watcher.writes = i === frame
-    loop.next()
-  }
-  if (!watcher.writes)
+  const steps: PolicyStep[] = []
+  let reached = 0
+  const loop = new FrameLoop(parseExperiment(experiment), (motion, integrator, rule) => {
+    if (reached < frame) advance(motion, integrator, rule)
+    else steps.push(traceStep(motion, integrator, rule))
+  })
+  do reached++
+  while (loop.next() && reached < frame)
+  if (reached !== frame || loop.run.frames !== frame)
     throw new RangeError(
       `The run has no frame ${String(frame)}; its frames are 1 to ${loop.run.frames}.`,
     )
-  return watcher.steps
+  return steps
 }
 
-class Watcher implements Watch {
-  writes = false
-  readonly steps: PolicyStep[] = []
-  private evaluations: Evaluation[] | undefined
-  /** The one in a step that is watched. */
-  private motion: Motion | undefined
-
-  law(law: Law): Law {
-    const forces = law.forces.map((each) => {
-      const felt = feltOn(each)
-      return (contact: Contact) => {
-        felt(contact)
-        this.seen(contact)
-      }
-    })
-    return { ...law, forces }
+/** Takes a step as `advance` does, and notes what happens in it. */
+function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): PolicyStep {
+  const { dt } = motion
+  const from = stateOf(motion)
+  const stretches: Stretch[] = []
+  const standings: Standing[] = []
+  let evaluations: Evaluation[] | undefined
+  const { stiffness, drag } = motion.law
+  motion.observe(({ atS: s, atV: v, atA: a, tangential, weight, curvature }) => {
+    const drive = tangential - stiffness * s - drag * v * Math.abs(v)
+    const press = weight + curvature * (v * v)
+    const evaluation = { s, v, drive, press, a }
+    if (evaluations) evaluations.push(evaluation)
+    // Outside a step of the integrator only static friction asks.
+    else standings.push({ ...evaluation, begins: motion.elapsed })
+  })
+  const watchedIntegrator: Integrator = {
+    ...integrator,
+    step: () => {
+      const before = {
+        ...{ dt: motion.dt, from: stateOf(motion), slip: motion.slipHeld ? motion.slip : 0 },
+        reused: motion.known ? motion.a : undefined,
+      } as const
+      evaluations = []
+      integrator.step(motion)
+      const tried = { ...before, to: stateOf(motion), evaluations }
+      evaluations = undefined
+      stretches[stretches.length - 1]!.tries.push(tried)
+    },
   }
-
-  private seen({ s, v, drive, press }: Contact): void {
-    if (this.evaluations) this.evaluations.push({ s, v, drive, press, a: NaN })
-    // Only static friction asks about a block that slides to neither side.
-    else if (this.motion?.slipHeld && this.motion.slip === 0)
-      this.steps[this.steps.length - 1]!.standings.push({
-        ...{ s, v, drive, press, a: drive },
-        begins: this.motion.elapsed,
-      })
+  const watchedRule: StoppingRule = {
+    ...rule,
+    step: () => {
+      const stretch: Stretch = { begins: motion.elapsed, tries: [] }
+      stretches.push(stretch)
+      const asked = motion.dt
+      rule.step(motion, watchedIntegrator)
+      if (motion.v === 0) stretch.ends = 'stop'
+      else if (motion.s === motion.to || motion.s === motion.from) stretch.ends = 'joint'
+      else if (motion.dt < asked) stretch.ends = 'cut'
+    },
   }
-
-  integrator(integrator: Integrator): Integrator {
-    return {
-      ...integrator,
-      step: (motion) => {
-        if (this.writes) this.tryStep(motion, integrator)
-        else integrator.step(motion)
-      },
-    }
-  }
-
-  stopping(rule: StoppingRule): StoppingRule {
-    return {
-      ...rule,
-      advance: (motion, integrator) => {
-        if (this.writes) this.advance(motion, integrator, rule)
-        else rule.advance(motion, integrator)
-      },
-    }
-  }
-
-  private advance(motion: Motion, integrator: Integrator, rule: StoppingRule): void {
-    const step: PolicyStep = {
-      dt: motion.dt,
-      from: stateOf(motion),
-      to: stateOf(motion),
-      stretches: [],
-      standings: [],
-      outcome: 'moving',
-    }
-    this.steps.push(step)
-    this.motion = motion
-    rule.advance(motion, integrator)
-    this.motion = undefined
-    step.to = stateOf(motion)
-    step.outcome = motion.outcome
-    const { stretches } = step
-    stretches.forEach((stretch, i) => {
-      const after = stretches[i + 1]?.tries[0]!.from ?? step.to
-      if (after.v === 0) stretch.jump = 'stop'
-      else if (motion.law.joints.includes(after.s)) stretch.jump = 'joint'
-    })
-  }
-
-  private tryStep(motion: Motion, integrator: Integrator): void {
-    const { stretches } = this.steps[this.steps.length - 1]!
-    const begins = motion.elapsed
-    const slip = motion.slipHeld ? motion.slip : 0
-    const tried: TriedStep = {
-      dt: motion.dt,
-      from: stateOf(motion),
-      to: stateOf(motion),
-      slip,
-      // Only a method that uses it again leaves one.
-      reused: motion.known === 1 && !Number.isNaN(motion.a) ? motion.a : undefined,
-      evaluations: [],
-    }
-    this.evaluations = tried.evaluations
-    integrator.step(motion)
-    this.evaluations = undefined
-    tried.to = stateOf(motion)
-    for (const each of tried.evaluations) {
-      const direction = motion.slipHeld ? slip : Math.sign(each.v)
-      each.a = each.drive - direction * motion.law.muKinetic * each.press
-    }
-    const current = stretches[stretches.length - 1]
-    // Tries of the same stretch begin at the same instant, and a stretch takes time.
-    if (current?.begins === begins) current.tries.push(tried)
-    else stretches.push({ begins, tries: [tried] })
-  }
+  advance(motion, watchedIntegrator, watchedRule)
+  motion.observe(undefined)
+  return { dt, from, to: stateOf(motion), stretches, standings, outcome: motion.outcome }
 }
 
 function stateOf({ s, v }: Motion): State {

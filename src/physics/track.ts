@@ -1,4 +1,4 @@
-import type { Place } from './scene.ts'
+import type { Place } from './state.ts'
 import { sinCos, radians, sinCosDegrees } from './trigonometry.ts'
 
 /** A stretch of track of constant curvature, from one distance along it to another [m]. */
@@ -27,19 +27,33 @@ export function straight(angle: number, to = Infinity): Piece {
   return { from: -Infinity, to, at: 0, x: 0, y: 0, slope: radians(angle), sin, cos, curvature: 0 }
 }
 
+/** The arc that goes on where a straight piece ends, up to the distance `to`. */
+export function arcAfter(before: Piece, curvature: number, to: number): Piece {
+  const { x, y } = pointOn(before, before.to)
+  return { ...before, from: before.to, to, at: before.to, x, y, curvature }
+}
+
+/** The straight piece that goes on for ever where an arc ends, that many degrees below the horizontal. */
+export function straightAfter(before: Piece, angle: number): Piece {
+  const { x, y } = pointOn(before, before.to)
+  return { ...straight(angle), from: before.to, at: before.to, x, y }
+}
+
 /** The point of a track at the distance `s` [m]. Beyond its ends the outermost pieces go on. */
 export function placeOn(track: Track, s: number): Place {
   let i = 0
   while (i < track.length - 1 && !(s <= track[i]!.to)) i++
   const piece = track[i]!
-  const { at, x, y, slope, sin, cos, curvature } = piece
+  const { slope, curvature, at } = piece
+  return { ...pointOn(piece, s), slope: slope - curvature * (s - at), curvature }
+}
+
+/** A chord of an arc runs half-way between the directions of its ends. */
+function pointOn({ at, x, y, slope, sin, cos, curvature }: Piece, s: number) {
   const distance = s - at
-  if (curvature === 0) return { x: x + cos * distance, y: y - sin * distance, slope, curvature }
-  const turned = sinCos(slope - curvature * distance)
-  return {
-    x: x + (sin - turned.sin) / curvature,
-    y: y - (turned.cos - cos) / curvature,
-    slope: slope - curvature * distance,
-    curvature,
-  }
+  if (curvature === 0) return { x: x + cos * distance, y: y - sin * distance }
+  const half = (curvature * distance) / 2
+  const chord = (2 * sinCos(half).sin) / curvature
+  const direction = sinCos(slope - half)
+  return { x: x + chord * direction.cos, y: y - chord * direction.sin }
 }

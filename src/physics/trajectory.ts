@@ -1,5 +1,4 @@
 import type { ResolvedExperiment } from './experiment.ts'
-import type { MotionLog } from './motionLog.ts'
 import type { Outcome, Run } from './run.ts'
 
 /** Everything that happened in a run, a row for every frame; row 0 is the start. */
@@ -16,7 +15,7 @@ export interface Trajectory {
   v: Float64Array
   /** The position that the frame shows [m]. */
   drawnS: Float64Array
-  /** Σ friction force × sliding distance so far [J]. */
+  /** Σ force of friction and drag × distance so far [J]. */
   heat: Float64Array
   /** Steps that the timestep policy asked for. */
   steps: number
@@ -30,20 +29,15 @@ export interface Trajectory {
   outcome: Outcome
 }
 
-const NONE = new Float64Array(0)
-
 /** Takes down a run frame by frame. */
-export class Recorder implements MotionLog {
-  /** The last row that is filled. */
-  last = -1
-  s: Float64Array
-  v: Float64Array
-  heat: Float64Array
-  lengths = NONE
-  each = 0
+export class Recorder {
+  private rows = 0
   private time: Float64Array
   private stateTime: Float64Array
+  private s: Float64Array
+  private v: Float64Array
   private drawnS: Float64Array
+  private heat: Float64Array
 
   /** `capacity`: how many rows to expect; more are no mistake. */
   constructor(capacity: number) {
@@ -55,13 +49,8 @@ export class Recorder implements MotionLog {
     this.heat = new Float64Array(capacity)
   }
 
-  /** How many rows there is room for. */
-  get room(): number {
-    return this.time.length - this.last - 1
-  }
-
   record(run: Run): void {
-    const row = ++this.last
+    const row = this.rows++
     // Clocks that go by chance run past what is expected of them by little.
     if (row === this.time.length) this.resize(row + (row >> 4) + 16)
     const { motion } = run
@@ -73,35 +62,14 @@ export class Recorder implements MotionLog {
     this.heat[row] = motion.heat
   }
 
-  /** Adds rows of frames whose states the motion has noted, and which end at these times: a step each, drawn where it ended. */
-  timeRow(times: Float64Array): void {
-    const { last, s } = this
-    this.last = last + times.length
-    this.time.set(times, last + 1)
-    this.stateTime.set(times, last + 1)
-    this.drawnS.set(s.subarray(last + 1, this.last + 1), last + 1)
-  }
-
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {
-    this.resize(this.last + 1)
+    this.resize(this.rows)
     const { time, stateTime, s, v, drawnS, heat } = this
-    const { steps, evaluations, lostTime, outcome } = run
+    const { frames, steps, evaluations, lostTime, outcome } = run
     const { unsolved } = run.motion
-    const frames = this.last
     return {
-      experiment,
-      frames,
-      time,
-      stateTime,
-      s,
-      v,
-      drawnS,
-      heat,
-      steps,
-      evaluations,
-      unsolved,
-      lostTime,
-      outcome,
+      ...{ experiment, frames, time, stateTime, s, v, drawnS, heat },
+      ...{ steps, evaluations, unsolved, lostTime, outcome },
     }
   }
 

@@ -1,3 +1,4 @@
+import { compareCheckouts } from './against/index.ts'
 import { beChild } from './child.ts'
 import { measure } from './measure.ts'
 import { readReport, writeReport } from './write.ts'
@@ -5,14 +6,18 @@ import { terminalText } from './text/terminal.ts'
 
 /**
  * `bench` measures and prints; `report` measures and writes; `redraw` writes anew what follows from the figures that are
- * there. With `--quick`: few rounds, for trying out.
+ * there. `bench --against PATH` compares the physics module with that of another checkout. With `--quick`: few rounds, for
+ * trying out.
  */
 const [command, ...options] = process.argv.slice(2)
+const against = options.indexOf('--against')
 const quick = options.includes('--quick')
 const tell = (what: string) =>
   process.stderr.write(`${performance.now().toFixed(0).padStart(7)} ms  ${what}\n`)
 
 if (command === 'task') await beChild(options[0]!, options[1]!)
+else if (command === 'bench' && against >= 0)
+  console.log(await compareCheckouts(options[against + 1] ?? '', quick, tell))
 else if (command === 'bench')
   console.log(terminalText({ ...(await measure(quick, tell)), diagrams: [] }))
 else if (command === 'redraw') await writeReport(readReport(), tell)

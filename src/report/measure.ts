@@ -1,16 +1,17 @@
 import { integrators } from '../physics/index.ts'
-import { bareLoops } from './bare/index.ts'
 import { inChild } from './child.ts'
 import type { TaskName, Tasks } from './tasks.ts'
-import { contestants } from './contestants.ts'
+import { engineList } from './engineList.ts'
 import { compareAt } from './frontiers/compare.ts'
 import { problems } from './frontiers/problems.ts'
+import { frameTimes } from './frameTimes.ts'
+import { handwritten } from './handwritten/index.ts'
 import { machine } from './machine.ts'
-import { peers } from './peers/index.ts'
-import { peerClocks, peerScenes } from './peers/scenes.ts'
+import { engines } from './engines/index.ts'
+import { engineClocks, engineScenes } from './engines/scenes.ts'
 import type { Frontier, Report, WorkCurve } from './schema.ts'
-import { stepTimes } from './steps.ts'
-import { targets, worthProfiling, worthTakingApart } from './targets.ts'
+
+import { targets } from './targets.ts'
 import type { Care } from './timing/rounds.ts'
 
 /** Said while it goes on. */
@@ -30,7 +31,7 @@ const forCurves = ({ rounds, atLeast, warming }: Care): Care => ({
  * Measures everything, each in a process of its own, one after the other. What fails is noted as not run, and nothing
  * else suffers from it.
  *
- * @param quick few rounds, one method, one clock and no profiles: to see that it works
+ * @param quick few rounds, one method and one clock: to see that it works
  */
 export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 'diagrams'>> {
   const care = quick ? hasty : careful
@@ -51,39 +52,33 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
   }
 
   const methods = integrators.filter(({ id }) => !quick || id === 'velocity-verlet')
-  const loops = bareLoops.filter(({ integrator }) => methods.some(({ id }) => id === integrator))
-  for (const { id, label } of methods)
-    if (!loops.some(({ integrator }) => integrator === id))
-      notRun.push({
-        what: `steps: ${label}`,
-        why: 'nobody has written a loop by hand to compare it with',
-      })
+  const loops = handwritten.filter(({ integrator }) => methods.some(({ id }) => id === integrator))
   const alone = []
   for (const { scene, integrator } of loops) {
     const given = { scene, integrator, care }
-    alone.push(...((await attempt(`steps: ${scene}, ${integrator}`, 'alone', given)) ?? []))
+    alone.push(...((await attempt(`frames: ${scene}, ${integrator}`, 'alone', given)) ?? []))
   }
-  const mixed = await attempt('steps: everything mixed', 'mixed', {
+  const mixed = await attempt('frames: everything mixed', 'mixed', {
     methods: methods.map(({ id }) => id),
     care,
   })
-  const steps = stepTimes(alone, mixed ?? [])
+  const frames = frameTimes(alone, mixed ?? [])
 
-  const clocks = peerClocks.map(({ label }) => label).slice(0, quick ? 1 : undefined)
+  const clocks = engineClocks.map(({ label }) => label).slice(0, quick ? 1 : undefined)
   const runs = (await attempt('runs: ours', 'ourRuns', { clocks })) ?? []
   const friction = []
-  for (const { id: peer } of peers) {
-    const found = await attempt(`runs: ${peer}`, 'peerRuns', { peer, clocks })
+  for (const { id: engine } of engines) {
+    const found = await attempt(`runs: ${engine}`, 'engineRuns', { engine, clocks })
     if (found) {
       runs.push(...found.runs)
       friction.push(found.friction)
     }
   }
-  const times = (await attempt('time of a step: engines', 'peerTimes', { care })) ?? []
-  const framed = await attempt('time of a step: ours, frame by frame', 'frameTime', { care })
+  const times = (await attempt('time of a step: engines', 'engineTimes', { care })) ?? []
+  const recorded = await attempt('time of a frame: simulate', 'simulateTime', { care })
   const [first] = times
-  if (first && framed)
-    times.splice(1, 0, { ...framed, ratio: framed.step.median / first.step.median })
+  if (first && recorded)
+    times.splice(1, 0, { ...recorded, ratio: recorded.step.median / first.step.median })
 
   const frontiers: Frontier[] = []
   for (const { id: problem, label, about, experiment, at } of problems) {
@@ -115,10 +110,10 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
 
   const measured = {
     machine: machine(care.rounds, quick),
-    contestants: contestants(),
-    steps,
-    peers: {
-      scenes: [...peerScenes],
+    engines: engineList(),
+    frames,
+    engineTests: {
+      scenes: [...engineScenes],
       clocks,
       runs,
       times,
@@ -126,17 +121,5 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
     },
     frontiers,
   }
-  const checked = targets(measured)
-  const profiles = []
-  for (const given of quick ? [] : worthProfiling(measured.steps, checked)) {
-    const what = `profile: ${given.scene}, ${given.integrator}, ${given.mixed ? 'mixed' : 'alone'}`
-    const profile = await attempt(what, 'profile', given)
-    if (profile) profiles.push(profile)
-  }
-  for (const { task, profiled } of quick ? [] : worthTakingApart(measured.steps, checked)) {
-    const what = `parts: ${profiled.scene}, ${profiled.integrator}, ${task}`
-    const profile = await attempt(what, task, { ...profiled, care })
-    if (profile) profiles.push(profile)
-  }
-  return { ...measured, targets: checked, profiles, notRun }
+  return { ...measured, targets: targets(measured), notRun }
 }

@@ -20,8 +20,8 @@ const machine = record({
   quick: flag,
 })
 
-/** Something that figures are compared with, or ours. */
-const contestant = record({
+/** An engine or a solver that is compared, or ours. */
+const engineInfo = record({
   id: text,
   label: text,
   /** Of its package. */
@@ -30,28 +30,24 @@ const contestant = record({
   setup: text,
 })
 
-/** A scene and a method: our step beside the loop that somebody would write by hand for just this. */
-const stepTime = record({
+/** A scene and a method: a call of `run.frame` for each step beside the loop that somebody would write by hand for just this. */
+const frameTime = record({
   scene: text,
   integrator: text,
-  /** The motion that was timed: it moves all the time, or it stops on its way. */
-  trial: text,
-  /** ns a step of the hand-written loop. */
-  bare: timing,
-  /** ns a step of ours, in a process that runs nothing else. */
+  /** ns a frame of the handwritten loop. */
+  handwritten: timing,
+  /** ns a frame of ours, in a process that runs nothing else. */
   alone: timing,
   /** The same in a process that has run all scenes, methods and rules; null: was not measured. */
   mixed: orNull(timing),
-  /** ns a step of `simulate`, which records every frame. */
-  recorded: timing,
-  /** Median over rounds of ours divided by the hand-written loop's, each from the same round. */
-  ratios: record({ alone: amount, mixed: orNull(amount), recorded: amount }),
-  /** Bytes a step that are taken from the heap. */
+  /** Median over rounds of ours divided by the handwritten loop's, each from the same round. */
+  ratios: record({ alone: amount, mixed: orNull(amount) }),
+  /** Bytes a frame that are taken from the heap. */
   bytes: record({ alone: amount, mixed: orNull(amount) }),
 })
 
-/** What a scene for peers is: an experiment that any rigid-body engine can be given. */
-const peerScene = record({
+/** A scene for engines: an experiment that any rigid-body engine can be given. */
+const engineScene = record({
   id: text,
   label: text,
   /** In words: angle, friction, speed, how long. */
@@ -69,8 +65,8 @@ const peerScene = record({
 })
 
 /** One engine in one scene under one clock. */
-const peerRun = record({
-  /** A contestant's id. */
+const engineRun = record({
+  /** As in `engines`. */
   engine: text,
   scene: text,
   /** “10 fps”, “jitter”. */
@@ -86,10 +82,10 @@ const peerRun = record({
 })
 
 /** What a time step of an engine costs with one block sliding down one ramp. */
-const peerTime = record({
+const engineTime = record({
   engine: text,
   step: timing,
-  /** How often our step, with velocity Verlet and located stops, fits in; 1 for ours. */
+  /** How many calls of `run.frame`, with velocity Verlet and located stops, take as long; 1 for ours. */
   ratio: amount,
   /** Bytes a step that are taken from the JavaScript heap. */
   bytes: amount,
@@ -155,32 +151,25 @@ const target = record({
   limit: number,
   figure: number,
   met: flag,
-  /** Where the figure comes from: the worst scene and method, or the nearest peer. */
+  /** Where the figure comes from: the worst scene and method, or the nearest engine. */
   from: text,
-})
-
-/** Where the time of a scene and method goes that missed a target. */
-const profile = record({
-  what: text,
-  functions: list(record({ name: text, share: amount })),
 })
 
 const diagram = record({ file: text, title: text, description: text })
 
 const shape = record({
   machine,
-  contestants: list(contestant),
-  steps: list(stepTime),
-  peers: record({
-    scenes: list(peerScene),
+  engines: list(engineInfo),
+  frames: list(frameTime),
+  engineTests: record({
+    scenes: list(engineScene),
     clocks: list(text),
-    runs: list(peerRun),
-    times: list(peerTime),
+    runs: list(engineRun),
+    times: list(engineTime),
     friction: list(frictionSeen),
   }),
   frontiers: list(frontier),
   targets: list(target),
-  profiles: list(profile),
   diagrams: list(diagram),
   /** What could not be run, and why. */
   notRun: list(record({ what: text, why: text })),
@@ -188,24 +177,23 @@ const shape = record({
 
 export type Timing = Shaped<typeof timing>
 export type Machine = Shaped<typeof machine>
-export type Contestant = Shaped<typeof contestant>
-export type StepTime = Shaped<typeof stepTime>
-export type PeerScene = Shaped<typeof peerScene>
-export type PeerRun = Shaped<typeof peerRun>
-export type PeerTime = Shaped<typeof peerTime>
+export type EngineInfo = Shaped<typeof engineInfo>
+export type FrameTime = Shaped<typeof frameTime>
+export type EngineScene = Shaped<typeof engineScene>
+export type EngineRun = Shaped<typeof engineRun>
+export type EngineTime = Shaped<typeof engineTime>
 export type FrictionSeen = Shaped<typeof frictionSeen>
 export type WorkPoint = Shaped<typeof workPoint>
 export type WorkCurve = Shaped<typeof workCurve>
 export type Cheapest = Shaped<typeof cheapest>
 export type Frontier = Shaped<typeof frontier>
 export type Target = Shaped<typeof target>
-export type Profile = Shaped<typeof profile>
 export type Diagram = Shaped<typeof diagram>
 
 /** Everything that `npm run report` measured: the content of `public/report/report.json`. Times in ns, the rest in SI units. */
 export type Report = Shaped<typeof shape>
 
-/** What is wrong with a report, a line for every wrong place: “peers.runs[3].error: -1 is not a number of 0 or more”. */
+/** What is wrong with a report, a line for every wrong place: “engineTests.runs[3].error: -1 is not a number of 0 or more”. */
 export function reportProblems(value: unknown): string[] {
   const problems: string[] = []
   shape.check(value, 'report', problems)

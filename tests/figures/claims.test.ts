@@ -119,8 +119,7 @@ test('where-does-it-stop: the exact block stops where it should, and the three d
 })
 
 test('three-stops: clamped stops are apart, located ones are not', () => {
-  const spread = (mode: string) =>
-    spreadOf(set(threeStops, { mode }).runs.map(({ drawnS }) => last(drawnS)))
+  const spread = (mode: string) => spreadOf(set(threeStops, { mode }).runs).distance
   expect(spread('clamped')).toBeGreaterThan(0.2)
   expect(spread('paper')).toBeGreaterThan(0.2)
   expect(spread('located')).toBeLessThan(1e-12)

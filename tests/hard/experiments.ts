@@ -88,6 +88,9 @@ export function choice(list: readonly Entry[], draw: Draw): Arbitrary<{ kind: st
 function parametersOf(scene: Scene, draw: Draw): Arbitrary<Record<string, number>> {
   return values(scene.parameters, draw).map((drawn) => {
     const parameters = drawn as Record<string, number>
+    // Static friction below kinetic is refused.
+    if ('muStatic' in parameters)
+      parameters.muStatic = Math.max(parameters.muStatic!, parameters.muKinetic!)
     for (;;) {
       const conflict = scene.conflict?.(parameters)
       if (!conflict) return parameters

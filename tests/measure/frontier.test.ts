@@ -25,6 +25,37 @@ test('errors that are rounding are no better than each other', () => {
   expect(frontier(exact)).toEqual([exact[0]])
 })
 
+test('errors and costs that are not finite beat nothing, wherever they stand', () => {
+  const good = [
+    { cost: 5, error: 0.1 },
+    { cost: 10, error: 0.01 },
+    { cost: 20, error: 0.001 },
+  ]
+  for (const bad of [
+    { cost: 1, error: NaN },
+    { cost: 7, error: Infinity },
+    { cost: NaN, error: 0 },
+    { cost: Infinity, error: 0 },
+  ])
+    for (let place = 0; place <= good.length; place++) {
+      const offers = [...good.slice(0, place), bad, ...good.slice(place)]
+      expect(frontier(offers)).toEqual(good)
+      expect(cheapest(offers, 0.01)).toEqual(good[1])
+      expect(frontier([bad])).toEqual([])
+    }
+})
+
+test.each([1, 1e3, 1e9])('rounding is relative to a path of %d m', (scale) => {
+  const offers = [
+    { cost: 5, error: 9e-12 * scale },
+    { cost: 10, error: 0 },
+  ]
+  expect(frontier(offers, scale)).toEqual([offers[0]])
+  expect(cheapest(offers, 0, scale)).toEqual(offers[0])
+  const more = [{ cost: 5, error: 1.1e-11 * scale }, offers[1]!]
+  expect(frontier(more, scale)).toEqual(more)
+})
+
 test('the cheapest for a tolerance', () => {
   expect(cheapest(all, 0.05)).toEqual({ name: 'verlet', cost: 20, error: 0.025 })
   expect(cheapest(all, 0.1)!.name).toBe('euler')

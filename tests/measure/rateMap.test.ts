@@ -91,6 +91,30 @@ describe('a map', () => {
     expect(valueAt(request, 0)).toBe(1.765)
   })
 
+  it('of the spread holds no run on the track against one that left it', () => {
+    // Explicit Euler gains energy the faster the longer its steps: at 60 fps it leaves from near the lip, at 240 later.
+    const asked: MapRequest = {
+      ...request,
+      of: 'spread',
+      experiment: { scene: 'half-pipe', integrator: 'explicit-euler', duration: 4 },
+      ...{ parameter: 'position', from: 2.4, to: 3.1 },
+    }
+    const found = new Set<string>()
+    for (const { row, kinds, values } of whole(asked))
+      for (let column = 0; column < asked.columns; column++) {
+        const experiment = mappedExperiment(asked, column, row)
+        const kindAt = (fps: number) =>
+          simulate({ ...experiment, frames: { kind: 'steady', fps } }).outcome.kind
+        const [own, reference] = [kindAt(rateAt(asked, column)), kindAt(60)]
+        const expected =
+          own === 'left-the-track' ? own : reference === 'moving' ? 'measured' : 'different'
+        expect(cellKinds[kinds[column]!]).toBe(expected)
+        expect(Number.isFinite(values[column])).toBe(expected === 'measured')
+        found.add(expected)
+      }
+    expect(found).toEqual(new Set(['left-the-track', 'measured', 'different']))
+  })
+
   it('says what can’t be run, what left the track, and what blew up', () => {
     const pipe: Experiment = {
       scene: 'half-pipe',
@@ -104,7 +128,10 @@ describe('a map', () => {
     // The lip is at πR/2: a pipe of a radius below 1.78 m does not hold a block at 2.8 m.
     expect(pipes[0]).toEqual(['refused'])
     expect(pipes[6]).toContain('left-the-track')
-    const spring: Experiment = { scene: 'spring', parameters: { position: 1.5, muKinetic: 0 } }
+    const spring: Experiment = {
+      scene: 'spring',
+      parameters: { position: 1.5, muStatic: 0, muKinetic: 0 },
+    }
     const springs = kindsOf({
       ...{ ...request, experiment: spring, parameter: 'stiffness', from: 1, to: 4000 },
     })

@@ -113,30 +113,61 @@ describe('frame clocks', () => {
     expect(kinds).toEqual(new Set([0.1, 0.4]))
   })
 
-  it('missed vsync: whole refreshes, one or two, each about half of the time', () => {
-    const frames = start({ kind: 'missed-vsync', fps: 60, seed: 5 })
-    let once = 0
-    let twice = 0
-    const count = samples(100_000)
-    for (let i = 0; i < count; i++) {
-      frames.next()
-      if (frames.duration === 2 / 60) twice++
-      else if (frames.duration === 1 / 60) once++
+  describe('missed vsync', () => {
+    const fps = 60
+    const count = samples(200_000)
+    /** How many refreshes each frame takes. */
+    const refreshes = (seed: number) => {
+      const frames = start({ kind: 'missed-vsync', fps, seed })
+      return Array.from({ length: count }, () => (frames.next(), Math.round(frames.duration * fps)))
     }
-    expect(once + twice).toBe(count)
-    // Six standard deviations of a fair coin.
-    expect(Math.abs(twice - count / 2)).toBeLessThan(3 * Math.sqrt(count))
+    const seeds = [0, 1, 5, 2654435769, 4294967295]
+    const share = (all: readonly number[], of: number) =>
+      all.filter((each) => each === of).length / all.length
+
+    // A chain that stays as it is with 1 − 1/32 − 1/4 makes the mean of n frames scatter as that of n(1 − λ)/(1 + λ) = n/6
+    // single ones would; six standard deviations of a share p are 6 √(6 p (1 − p)/n).
+    const give = (p: number) => 6 * Math.sqrt((6 * p * (1 - p)) / count)
+
+    it.each(seeds)(
+      'seed %i: one refresh mostly, two in 1/18 of the frames, three in 1/36',
+      (seed) => {
+        const all = refreshes(seed)
+        expect(Math.abs(share(all, 1) - 11 / 12)).toBeLessThan(give(1 / 12))
+        expect(Math.abs(share(all, 2) - 1 / 18)).toBeLessThan(give(1 / 18))
+        expect(Math.abs(share(all, 3) - 1 / 36)).toBeLessThan(give(1 / 36))
+        expect(new Set(all)).toEqual(new Set([1, 2, 3]))
+      },
+    )
+
+    it.each(seeds)('seed %i: 60 Hz are 54 frames a second', (seed) => {
+      const mean = refreshes(seed).reduce((sum, each) => sum + each, 0) / count
+      // A frame's refreshes have a variance of 1/6.
+      expect(Math.abs(fps / mean - 54)).toBeLessThan((54 * 6) / Math.sqrt(count))
+    })
+
+    it.each(seeds)('seed %i: a long frame follows a long one in 9/16 of all cases', (seed) => {
+      const all = refreshes(seed)
+      const after = all.filter((_, i) => i > 0 && all[i - 1]! > 1)
+      const long = 1 - share(after, 1)
+      // The game stays busy with 3/4 and is late then with 3/4; without bursts it would be 1/12.
+      expect(Math.abs(long - 9 / 16)).toBeLessThan(6 * Math.sqrt((9 / 16 / 16) * 7 * (12 / count)))
+    })
   })
 
-  // The generator's first draws for these seeds, found by running it backwards, are 2³¹ − 1 and 2³¹.
-  it.each([
-    { seed: 4258665577, refreshes: 1 },
-    { seed: 3767474599, refreshes: 2 },
-  ])('missed vsync: half of all draws are one refresh, to the very last: %o', (each) => {
-    const frames = start({ kind: 'missed-vsync', fps: 60, seed: each.seed })
-    frames.next()
-    expect(frames.duration).toBe(each.refreshes / 60)
-  })
+  it.each([1, 2, 3].flatMap((shift) => [0, 1, 77, 4e9].map((seed) => ({ seed, shift }))))(
+    'a seed $shift Weyl steps from $seed gives another sequence, not the same one shifted',
+    ({ seed, shift }) => {
+      const draws = (from: number) => {
+        const frames = start({ kind: 'jitter', fps: 60, amount: 0.5, seed: from >>> 0 })
+        return Array.from({ length: 1000 }, () => (frames.next(), frames.duration))
+      }
+      const first = new Set(draws(seed))
+      const common = draws(seed + shift * 0x9e3779b9).filter((each) => first.has(each))
+      // Of a million pairs of 2³² values, none or one agrees by chance.
+      expect(common.length).toBeLessThan(3)
+    },
+  )
 
   it('recorded: from the start again when it runs out', () => {
     const frames = start({ kind: 'recorded', durations: [0.25, 0.5] })

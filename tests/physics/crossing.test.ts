@@ -3,16 +3,16 @@ import { crossing } from '../../src/physics/exact/phase.ts'
 
 /** Where a polynomial takes a value up to `end`, and how often it was evaluated to find that. */
 function find(coefficients: readonly number[], target: number, end: number) {
-  const degree = coefficients.length - 1
   let reads = 0
-  const counted = new Proxy(Float64Array.from(coefficients), {
-    get: (c, index) => {
+  const counted = new Proxy(coefficients, {
+    get: (c, name) => {
+      if (name === 'length') return c.length
       reads++
-      return c[Number(index)]
+      return c[Number(name)]
     },
   })
-  const x = crossing(counted, degree, target, end)
-  return { x, evaluations: reads / (degree + 1) }
+  const x = crossing(counted, target, end)
+  return { x, evaluations: reads / coefficients.length }
 }
 
 /** Twice: the rounding of the root itself, and of the polynomial's value there over its slope. */

@@ -93,6 +93,27 @@ describe('exactSpring', () => {
     expect(spring(2.01 * swing, { s: 0, v: 0 }).v).toBe(0)
   })
 
+  it('rests where its pull ties with static friction, at the start or after some half-swings', () => {
+    for (const angle of [0, 20])
+      for (const muStatic of [0.05, 0.1, 0.3, 0.7])
+        for (const stiffness of [3, 7, 11, 40])
+          for (const gravity of [9.81, 10])
+            for (let swings = 0; swings < 8; swings++) {
+              const alpha = angle * (Math.PI / 180)
+              const pull = gravity * Math.sin(alpha)
+              const hold = muStatic * gravity * Math.cos(alpha)
+              // Each half-swing takes 2f off the drive, f = hold/4.
+              const position = (pull + hold + (swings * hold) / 2) / stiffness
+              const motion = exactSpring(
+                named([angle, stiffness, muStatic, muStatic / 4, gravity, 1, position, 0]),
+              )
+              const { s, v } = motion(1e3, { s: 0, v: 0 })
+              const side = swings % 2 === 0 ? 1 : -1
+              expect(v).toBe(0)
+              expect(Math.abs(s - (pull + side * hold) / stiffness)).toBeLessThanOrEqual(1e-14)
+            }
+  })
+
   it('is finite for whatever is in range', () => {
     for (const stiffness of [5e-324, 1e-300, 1e12])
       for (const mu of [0, 1e-300, 1e6])

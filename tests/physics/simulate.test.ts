@@ -195,15 +195,6 @@ describe('simulate', () => {
     // The two straights are exact; the bend, crossed in 0.02 s, costs rk4 some (v/R Δt)⁵ of its length.
     expect(Math.abs(last(run.s) - truth.s)).toBeLessThan(1e-3)
   })
-
-  it('a block with μk > μs is not set off by a drive that its friction would stop', () => {
-    const run = simulate({
-      scene: 'ramp',
-      parameters: { angle: 20, muStatic: 0.1, muKinetic: 0.5 },
-      duration: 1,
-    })
-    expect(run.outcome).toEqual({ kind: 'at-rest', time: 0 })
-  })
 })
 
 describe('createRun', () => {

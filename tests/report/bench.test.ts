@@ -2,20 +2,23 @@ import { execFileSync } from 'node:child_process'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
 
+function bench(...options: string[]): string {
+  return execFileSync('npm', ['run', '--silent', 'bench', '--', ...options], {
+    cwd: join(import.meta.dirname, '../..'),
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+  })
+}
+
 test(
   'npm run bench -- --quick runs everything and says what it found',
   { timeout: 180_000 },
   () => {
-    const printed = execFileSync('npm', ['run', '--silent', 'bench', '--', '--quick'], {
-      cwd: join(import.meta.dirname, '../..'),
-      encoding: 'utf8',
-      stdio: ['ignore', 'pipe', 'ignore'],
-    })
+    const printed = bench('--quick')
     for (const part of [
       'Measured on',
-      'A step of ours, alone',
-      'A step of ours, mixed',
-      'A step with one block sliding down one ramp',
+      'One block slides down one ramp: a call for each step',
+      'A call of run.frame for each step',
       'Error at the end, at 10 fps',
       'The cheapest way to an error',
       'Targets',
@@ -27,3 +30,20 @@ test(
     expect(printed).not.toMatch(/NaN|undefined|Infinity/)
   },
 )
+
+test(
+  'npm run bench -- --against compares every scene and method with another checkout',
+  { timeout: 180_000 },
+  () => {
+    const printed = bench('--against', '.', '--quick')
+    expect(printed.match(/^run\.frame, one call a step/gm)).toHaveLength(3)
+    expect(printed.match(/^simulate, ten thousand frames/gm)).toHaveLength(1)
+    // Five scenes by eight methods, three rows for themselves and the two worst; each with a ratio.
+    expect(printed.match(/^\S.*, .* [nµ]s .* \d\.\d{3} /gm)).toHaveLength(45)
+    expect(printed).not.toMatch(/NaN|undefined|Infinity/)
+  },
+)
+
+test('npm run bench -- --against refuses what is no checkout', () => {
+  expect(() => bench('--against', 'tests')).toThrow()
+})

@@ -2,9 +2,9 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, expect, it } from 'vitest'
 import { drawDiagrams } from '../../src/report/diagrams/index.ts'
-import { peerClocks, peerScenes } from '../../src/report/peers/scenes.ts'
-import { runOurs } from '../../src/report/peers/run.ts'
-import { ours } from '../../src/report/contestants.ts'
+import { engineClocks, engineScenes } from '../../src/report/engines/scenes.ts'
+import { runOurs } from '../../src/report/engines/run.ts'
+import { ours } from '../../src/report/engineList.ts'
 import type { Report } from '../../src/report/schema.ts'
 import { targets } from '../../src/report/targets.ts'
 import { withReport } from '../../src/report/text/readme.ts'
@@ -37,9 +37,9 @@ describe('what is published follows from the figures, and nothing of it is typed
 
   it('our own runs, which are the same on every machine', () => {
     for (const { id, method } of ours)
-      for (const scene of peerScenes)
-        for (const { label: clock, frames } of peerClocks) {
-          const published = report.peers.runs.find(
+      for (const scene of engineScenes)
+        for (const { label: clock, frames } of engineClocks) {
+          const published = report.engineTests.runs.find(
             (run) => run.engine === id && run.scene === scene.id && run.clock === clock,
           )
           const run = { engine: id, scene: scene.id, clock, ...runOurs(method, scene, frames) }
@@ -60,7 +60,7 @@ describe('README', () => {
 
   it.each([
     '<!-- report:nobody -->\n<!-- /report:nobody -->',
-    '<!-- report:steps -->\n<!-- /report:targets -->',
+    '<!-- report:frames -->\n<!-- /report:targets -->',
   ])('a marker that leads nowhere is refused: %s', async (markers) => {
     await expect(withReport(markers, report)).rejects.toThrow('README: report:')
   })

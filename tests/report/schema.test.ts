@@ -14,15 +14,15 @@ test('the report that is published has its shape, and was measured with care', (
 
 test('what is wrong is named with its place', () => {
   const wrong = report()
-  wrong.peers.runs[3]!.error = -1
+  wrong.engineTests.runs[3]!.error = -1
   wrong.targets[0]!.sense = 'about' as 'at most'
   Object.assign(wrong.machine, { cores: '2', coolers: 1 })
-  Object.assign(wrong, { steps: {}, notRun: undefined })
+  Object.assign(wrong, { frames: {}, notRun: undefined })
   expect(reportProblems(wrong)).toEqual([
     'report.machine.cores: "2" is not a number of 0 or more',
     'report.machine.coolers: is not known',
-    'report.steps: {} is not a list',
-    'report.peers.runs[3].error: -1 is not a number of 0 or more',
+    'report.frames: {} is not a list',
+    'report.engineTests.runs[3].error: -1 is not a number of 0 or more',
     'report.targets[0].sense: "about" is not one of at most, at least',
     'report.notRun: nothing is not a list',
   ])
@@ -33,13 +33,13 @@ test.each([undefined, null, [], 'report', 1])('%j is not a report', (value) => {
 })
 
 test('every figure belongs to somebody who is introduced', () => {
-  const { contestants, peers, frontiers } = report()
-  const ids = contestants.map(({ id }) => id)
-  for (const { engine } of [...peers.runs, ...peers.times, ...peers.friction])
+  const { engines, engineTests, frontiers } = report()
+  const ids = engines.map(({ id }) => id)
+  for (const { engine } of [...engineTests.runs, ...engineTests.times, ...engineTests.friction])
     expect(ids).toContain(engine)
-  for (const run of peers.runs) {
-    expect(peers.scenes.map(({ id }) => id)).toContain(run.scene)
-    expect(peers.clocks).toContain(run.clock)
+  for (const run of engineTests.runs) {
+    expect(engineTests.scenes.map(({ id }) => id)).toContain(run.scene)
+    expect(engineTests.clocks).toContain(run.clock)
   }
   for (const { curves } of frontiers) expect(curves.map(({ id }) => id)).toContain('odex')
 })

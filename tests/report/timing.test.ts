@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
 import { bytesOf } from '../../src/report/timing/bytes.ts'
 import { median, ratioOf, timeRounds, timingOf } from '../../src/report/timing/rounds.ts'
-import { notes } from '../../src/report/peers/notes.ts'
-import { peerScenes } from '../../src/report/peers/scenes.ts'
+import { notes } from '../../src/report/engines/notes.ts'
+import { engineScenes } from '../../src/report/engines/scenes.ts'
 import { eachInMetres, metres, nanoseconds, plain } from '../../src/report/text/figures.ts'
 
 describe('rounds', () => {
@@ -66,7 +66,7 @@ it('figures are given with three digits at most', () => {
 })
 
 it('what is odd about a run is said with its numbers', () => {
-  const scene = (id: string) => peerScenes.find((each) => each.id === id)!
+  const scene = (id: string) => engineScenes.find((each) => each.id === id)!
   const fine = { position: -1.5, late: -1.5, lifted: 0, later: -1.5 }
   expect(notes(scene('uphill-stays'), fine)).toBeNull()
   expect(notes(scene('uphill-stays'), { ...fine, later: -1.25 })).toBe(

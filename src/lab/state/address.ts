@@ -1,5 +1,6 @@
 import { ExperimentError, scenes } from '../../physics/index.ts'
 import type { Problem, SceneId } from '../../physics/index.ts'
+import { withParameters } from '../../measure/index.ts'
 import { readNumber, writeNumber } from '../../chart/numbers.ts'
 import { checked } from './check.ts'
 import { opening, openingOf } from './opening.ts'
@@ -51,7 +52,7 @@ export function readAddress(address: string): LabState {
   const start = scenes.some((scene) => scene.id === id) ? openingOf(id as SceneId) : opening
   const given = [...fields].filter(([key]) => !['scene', 'duration', 'runners'].includes(key))
   const values = Object.fromEntries(given.map(([key, text]) => [key, value(text)]))
-  const parameters = { ...start.parameters, ...values }
+  const parameters = withParameters(start.parameters, values)
   const duration = fields.has('duration') ? value(fields.get('duration')!) : start.duration
   const runners = fields.has('runners')
     ? readRunners(fields.get('runners')!, problems)

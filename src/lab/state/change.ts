@@ -1,5 +1,6 @@
 import { frameClocks, timesteps } from '../../physics/index.ts'
-import type { ExperimentError, Options, Parameters, Scene, SceneId } from '../../physics/index.ts'
+import type { ExperimentError, Options, Scene, SceneId } from '../../physics/index.ts'
+import { withParameters } from '../../measure/index.ts'
 import { checked, MOST_RUNNERS } from './check.ts'
 import { modes } from './modes.ts'
 import type { ModeId } from './modes.ts'
@@ -28,7 +29,7 @@ export function changed(state: LabState, change: Change): LabState {
     case 'scene':
       return checked({ ...openingOf(change.scene), runners: state.runners })
     case 'parameters':
-      return checked({ ...state, parameters: withFriction(state.parameters, change.values) })
+      return checked({ ...state, parameters: withParameters(state.parameters, change.values) })
     case 'duration':
       return checked({ ...state, duration: change.duration })
     case 'mode': {
@@ -84,15 +85,6 @@ function withNew(state: LabState, model: number, values: Partial<RunnerState>): 
     ...state,
     runners: [...runners.slice(0, model + 1), another, ...runners.slice(model + 1)],
   })
-}
-
-/** Static friction is never below kinetic: the one that was not moved follows. */
-function withFriction(parameters: Parameters, values: Readonly<Record<string, unknown>>) {
-  const next: Record<string, unknown> = { ...parameters, ...values }
-  const { muStatic, muKinetic } = next
-  if (typeof muStatic !== 'number' || typeof muKinetic !== 'number' || !(muKinetic > muStatic))
-    return next
-  return 'muStatic' in values ? { ...next, muKinetic: muStatic } : { ...next, muStatic: muKinetic }
 }
 
 /** Why a change can't be made, in words for the place where it was tried. */

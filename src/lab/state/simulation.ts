@@ -1,6 +1,7 @@
 import { exactMotion, scenes } from '../../physics/index.ts'
 import type { ExactMotion, Scene, Trajectory } from '../../physics/index.ts'
 import { spreadOf } from '../../measure/index.ts'
+import type { Spread } from '../../measure/index.ts'
 import { experimentOf } from './check.ts'
 import { namesOf } from './names.ts'
 import { RunCache } from './runCache.ts'
@@ -21,8 +22,8 @@ export interface Simulated {
   readonly runners: readonly SimulatedRunner[]
   /** Those that are not hidden. */
   readonly visible: readonly SimulatedRunner[]
-  /** How far apart the visible runners end [m]. */
-  readonly spread: number
+  /** How far apart the visible runners end; undefined where none is visible. */
+  readonly spread: Spread | undefined
 }
 
 /** Runs lab states. What did not change since the state before is not run again. */
@@ -42,14 +43,10 @@ export class Simulation {
       exact: exactMotion(experimentOf(state, state.runners[0]!)),
       runners,
       visible,
-      spread: visible.length > 0 ? spreadOf(visible.map(({ trajectory }) => endOf(trajectory))) : 0,
+      spread:
+        visible.length > 0 ? spreadOf(visible.map(({ trajectory }) => trajectory)) : undefined,
     }
   }
-}
-
-/** Where a run ends, as the picture shows it [m]. */
-function endOf({ drawnS }: Trajectory): number {
-  return drawnS[drawnS.length - 1]!
 }
 
 /** How far a row of a run is from the exact block as the picture shows it: drawnS − exact(time) [m]. */

@@ -139,7 +139,7 @@ export function frictionText(
   const newtons = (value: number) => `${quantity(value, largest)}\u2009N`
   const size = newtons(length(friction))
   if (vectors.rubbing === 'held') {
-    const most = Math.max(muStatic, muKinetic) * length(normal)
+    const most = muStatic * length(normal)
     return `Static friction holds it: ${size} of at most ${newtons(most)}.`
   }
   if (vectors.rubbing === 'none')

@@ -8,6 +8,7 @@ import type {
   Stretch,
   TriedStep,
 } from '../../physics/index.ts'
+import { withoutRounding } from '../../measure/index.ts'
 import { raw } from '../../chart/numbers.ts'
 import { saidHtml, say } from './said.ts'
 import type { Said } from './said.ts'
@@ -61,8 +62,10 @@ function triesHtml(tries: readonly TriedStep[]) {
   return html`<h3>Looking for the instant</h3>
     <ol class="tries">
       ${tries.map(
-        ({ dt, to }) =>
-          html`<li>${saidHtml(say`Δt = ${dt} s → s = ${to.s} m, v = `)}${worth(to.v, 'm/s')}</li>`,
+        ({ dt, from, to }) =>
+          html`<li>
+            ${saidHtml(say`Δt = ${dt} s → s = ${to.s} m, v = `)}${worth(to.v, 'm/s', [from.v])}
+          </li>`,
       )}
     </ol>`
 }
@@ -121,16 +124,16 @@ function lineHtml({
     >
     <span>
       <span class="numbers">${numbers.length > 0 ? html`= ${saidHtml(numbers)}` : nothing}</span>
-      <span class="result">= ${worth(result, unit)}</span>
+      <span class="result">= ${worth(result, unit, numbers)}</span>
       ${solved ? html`<small>${saidHtml(solved)}</small>` : nothing}
     </span>
   </p>`
 }
 
-/** A sum that should be 0 rarely is in floating point. */
-function worth(value: number, unit: string) {
-  const isRounding = value !== 0 && Math.abs(value) < 1e-11
-  return isRounding
+/** A sum that should be 0 rarely is in floating point: it is rounding beside the largest number in it. */
+function worth(value: number, unit: string, numbers: Said) {
+  const sizes = numbers.map((each) => (typeof each === 'number' ? Math.abs(each) : 0))
+  return value !== 0 && withoutRounding(value, Math.max(...sizes, 0)) === 0
     ? html`<span title=${raw(value)}>0 (to rounding)</span>`
     : saidHtml(say`${value} ${unit}`)
 }

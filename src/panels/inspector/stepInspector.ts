@@ -165,7 +165,7 @@ function hasEvent({ stretches, standings, outcome, to }: PolicyStep): boolean {
   return (
     outcome !== 'moving' ||
     standings.length > 0 ||
-    stretches.some(({ jump }) => jump) ||
+    stretches.some(({ ends }) => ends) ||
     // The clamp has set it.
     kept?.to.v !== to.v
   )

@@ -93,14 +93,18 @@ export function wordsAfter(
     const ends = stretch.begins + kept.dt
     const tries = stretch.tries.length
     const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${count(tries, 'try').replace('trys', 'tries')}` : ''}`
-    if (stretch.jump === 'stop') {
+    if (stretch.ends === 'stop') {
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing
         ? decision(step, standing, experiment)
         : say`whether it stays is decided as the next step begins.`
       said.push(say`v reached 0 ${when}; s = ${kept.to.s} m; ${then}`)
     }
-    if (stretch.jump === 'joint')
+    if (stretch.ends === 'cut')
+      said.push(
+        say`The step is cut after ${kept.dt} s: over the whole of it the force would change too much for one step.`,
+      )
+    if (stretch.ends === 'joint')
       said.push(say`It came to the joint at s = ${kept.to.s} m ${when}.`)
   } else if (isLast) {
     if (kept.to.v !== step.to.v)
@@ -126,9 +130,9 @@ export function wordsAfter(
 
 /** Static friction holds up to μs times the normal force. */
 function decision(step: PolicyStep, standing: Standing, { parameters }: ResolvedExperiment): Said {
-  const { muStatic = 0, muKinetic = 0 } = parameters
+  const { muStatic = 0 } = parameters
   const drive = Math.abs(standing.drive)
-  const most = Math.max(muStatic, muKinetic) * standing.press
+  const most = muStatic * standing.press
   const isLast = standing === step.standings[step.standings.length - 1]
   return isLast && step.outcome === 'at-rest'
     ? say`it stays, because |drive| ${drive} ≤ μs press ${most} m/s².`

@@ -1,4 +1,4 @@
-import { frontier, ROUNDING } from '../../measure/index.ts'
+import { frontier, leastDifference } from '../../measure/index.ts'
 import { logScale } from '../../chart/axis.ts'
 import type { LogScale } from '../../chart/axis.ts'
 import { decadeAbove, decadeBelow } from '../../chart/magnitudes.ts'
@@ -61,18 +61,21 @@ export function layOut(
   const ringed = curves.map(({ method }) => runners.filter((each) => each.method === method))
   const points = [...swept, ...ringed.flat()]
   const whole = points.filter((point) => point.whole)
-  const seen = whole.filter(({ error }) => error >= ROUNDING)
+  const seen = whole.filter(({ error }) => error > 0)
   const failing = points.some((point) => !point.whole)
   // A row for each method that comes down to rounding, so that none hides another.
   const exact = curves.filter(({ points }, i) =>
-    [...points, ...ringed[i]!].some(({ whole, error }) => whole && error < ROUNDING),
+    [...points, ...ringed[i]!].some(({ whole, error }) => whole && error === 0),
   )
   const top = failing ? 34 : 12
   const bottom = height - BOTTOM
   const floor = exact.length > 0 ? bottom - 10 - ROW * exact.length : bottom
   const errors = seen.map(({ error }) => error)
   const high = 10 ** decadeAbove(Math.max(...errors, 1e-3))
-  const low = exact.length > 0 ? ROUNDING : 10 ** decadeBelow(Math.min(...errors, high / 100))
+  const low =
+    exact.length > 0
+      ? leastDifference(exact[0]!.scale)
+      : 10 ** decadeBelow(Math.min(...errors, high / 100))
   const up = logScale(low, high, floor, top)
   const costs = points.map(({ cost }) => cost).filter((cost) => cost > 0 && cost < Infinity)
   const across = logScale(
@@ -84,7 +87,7 @@ export function layOut(
   const place = (curve: DiagramCurve, point: DiagramPoint): DiagramSpot => {
     const { whole, error, cost } = point
     const row = floor + 8 + ROW * (exact.indexOf(curve) + 0.5)
-    const y = !whole ? top - 14 : error < ROUNDING ? row : up.at(error)
+    const y = !whole ? top - 14 : error === 0 ? row : up.at(error)
     return { point, x: across.at(Math.max(cost, across.from)), y }
   }
   const placed = (rows: readonly (readonly DiagramPoint[])[]) =>

@@ -1,5 +1,5 @@
 import { integrators } from '../../physics/index.ts'
-import { cheapest, ROUNDING } from '../../measure/index.ts'
+import { cheapest } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
 import { plain } from '../../chart/numbers.ts'
 import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
@@ -25,7 +25,7 @@ export function advice(curves: readonly DiagramCurve[]): Advice[] {
     found.push({ error, point })
   }
   for (const exponent of wanted) add(decadeText(exponent), 10 ** exponent)
-  add('no error but rounding', ROUNDING)
+  add('no error but rounding', 0)
   return found
 }
 
@@ -59,6 +59,6 @@ export function pointWords({ error, cost, outcome, whole }: DiagramPoint, kind: 
   if (outcome === 'left-the-track') return `left the track, ${price}`
   if (outcome === 'diverged') return `blew up, ${price}`
   if (!whole) return 'the true motion is not known here'
-  const size = error < ROUNDING ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
+  const size = error === 0 ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
   return `${size}, ${price}`
 }

@@ -1,5 +1,11 @@
 import type { ResolvedExperiment, Trajectory } from '../../physics/index.ts'
-import { evaluationsPerSecond, presentationErrorSizes, sweepRates } from '../../measure/index.ts'
+import {
+  evaluationsPerSecond,
+  presentationErrorSizes,
+  scaleOf,
+  sweepRates,
+  withoutRounding,
+} from '../../measure/index.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import type { DiagramCurve, DiagramPoint } from './points.ts'
 
@@ -40,8 +46,9 @@ export function labRunners(
     const cost = timed
       ? (curve?.points.find((point) => point.rate === rate)?.cost ?? NaN)
       : evaluationsPerSecond(trajectory)
-    const error = errors.get(trajectory) ?? presentationErrorSizes(trajectory).largest
-    errors.set(trajectory, error)
+    const largest = errors.get(trajectory) ?? presentationErrorSizes(trajectory).largest
+    errors.set(trajectory, largest)
+    const error = withoutRounding(largest, scaleOf(trajectory.experiment).length)
     const { kind: outcome } = trajectory.outcome
     const whole = (outcome === 'moving' || outcome === 'at-rest') && Number.isFinite(error)
     const runner = { name, paletteIndex, apart }

@@ -1,4 +1,4 @@
-import { cellKinds, coarseCell, ROUNDING } from '../../measure/index.ts'
+import { cellKinds, coarseCell, withoutRounding } from '../../measure/index.ts'
 import type { CellKind, MapRequest, MapRow } from '../../measure/index.ts'
 import { decadeAbove, decadeBelow } from '../../chart/magnitudes.ts'
 
@@ -8,7 +8,7 @@ export const HIGHEST = 2
 /** What is known of a cell. */
 export interface MapCell {
   readonly kind: CellKind
-  /** [m] */
+  /** [m]; 0 where it is rounding, NaN where nothing is measured. */
   readonly value: number
 }
 
@@ -41,9 +41,10 @@ export class MapCells {
   decades(): { low: number; high: number } {
     let low = Infinity
     let high = -Infinity
-    for (const row of this.rows)
-      for (const value of row?.values ?? []) {
-        if (!(value >= ROUNDING && value < Infinity)) continue
+    for (let row = 0; row < this.rows.length; row++)
+      for (let column = 0; column < this.request.columns; column++) {
+        const { value } = this.own(column, row)
+        if (!(value > 0)) continue
         low = Math.min(low, value)
         high = Math.max(high, value)
       }
@@ -64,6 +65,8 @@ export class MapCells {
   private own(column: number, row: number): MapCell {
     const known = this.rows[row]
     if (!known) return { kind: 'pending', value: NaN }
-    return { kind: cellKinds[known.kinds[column]!]!, value: known.values[column]! }
+    const kind = cellKinds[known.kinds[column]!]!
+    const value = kind === 'measured' ? known.values[column]! : NaN
+    return { kind, value: withoutRounding(value, known.scale) }
   }
 }

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit'
-import { REFERENCE_RATE, ROUNDING } from '../../measure/index.ts'
+import { REFERENCE_RATE } from '../../measure/index.ts'
 import { clamp } from '../../chart/geometry.ts'
 import { decadeText } from '../../chart/magnitudes.ts'
 import type { Rgb } from '../../view/palette.ts'
@@ -58,9 +58,10 @@ export function mapLegend(cells: MapCells, dark: boolean, limit: string) {
       </div>
     </div>
     <ul class="key">
-      ${cells.count(({ value }) => value < ROUNDING) > 0 ? swatch('rounding', '0 (to rounding)') : nothing}
+      ${cells.count(({ value }) => value === 0) > 0 ? swatch('rounding', '0 (to rounding)') : nothing}
       ${has('left-the-track') ? swatch('left-the-track', 'left the track') : nothing}
       ${has('diverged') ? swatch('diverged', 'blew up') : nothing}
+      ${has('different') ? swatch('different', `not as at ${REFERENCE_RATE} fps`) : nothing}
       ${has('refused') ? swatch('refused', 'can’t be run') : nothing}
       ${limit ? html`<li><span class="limit-line"></span> ${limit}</li>` : nothing}
     </ul>

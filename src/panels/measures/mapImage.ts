@@ -1,5 +1,4 @@
 import type { LitElement } from 'lit'
-import { ROUNDING } from '../../measure/index.ts'
 import type { CellKind } from '../../measure/index.ts'
 import { PaletteReader } from '../../view/palette.ts'
 import type { Palette, Rgb } from '../../view/palette.ts'
@@ -55,11 +54,13 @@ function paintMap(
   const colourOf = (kind: CellKind, value: number, column: number, row: number): Rgb => {
     switch (kind) {
       case 'measured':
-        return value < ROUNDING ? sheet : rampColour((Math.log10(value) - low) / (high - low), dark)
+        return value === 0 ? sheet : rampColour((Math.log10(value) - low) / (high - low), dark)
       case 'left-the-track':
         return (column + row) % 4 === 0 ? soft : ground
       case 'diverged':
         return (column - row + rows) % 4 < 2 ? soft : sheet
+      case 'different':
+        return (column + row) % 4 < 2 ? soft : ground
       case 'refused':
         return column % 4 === 0 && row % 4 === 0 ? soft : ground
       default:

@@ -3,7 +3,6 @@ import {
   mappedExperiment,
   rateAt,
   REFERENCE_RATE,
-  ROUNDING,
   stableRate,
   valueAt,
 } from '../../measure/index.ts'
@@ -35,15 +34,17 @@ export function cellWords({ kind, value }: MapCell, { of }: MapRequest): string 
     case 'measured': {
       const size = roughSize(value)
       if (of === 'spread')
-        return value < ROUNDING
+        return value === 0
           ? `ends where it does at ${REFERENCE_RATE} fps, to rounding`
           : `ends ${size} from where it does at ${REFERENCE_RATE} fps`
-      return value < ROUNDING ? 'is exact to rounding' : `is never off by more than ${size}`
+      return value === 0 ? 'is exact to rounding' : `is never off by more than ${size}`
     }
     case 'left-the-track':
       return 'leaves the track'
     case 'diverged':
       return 'blows up'
+    case 'different':
+      return `stays on the track, which at ${REFERENCE_RATE} fps it does not`
     case 'refused':
       return 'can’t be run: the block would not be on the track'
     case 'unknown':
@@ -70,11 +71,11 @@ export function summary(cells: MapCells): string {
     count > 0 ? [`${percent(count / total)} ${text}`] : []
   const what = request.of === 'spread' ? 'ends the same' : 'is exact'
   const { low, high } = cells.decades()
-  const between = cells.count(({ kind, value }) => kind === 'measured' && value >= ROUNDING)
+  const between = cells.count(({ kind, value }) => kind === 'measured' && value > 0)
   return `Of all runs, ${[
     ...share(
       `${what} to rounding`,
-      cells.count(({ value }) => value < ROUNDING),
+      cells.count(({ value }) => value === 0),
     ),
     ...share(`lies between ${decadeText(low)} and ${decadeText(high)}`, between),
     ...share(
@@ -84,6 +85,10 @@ export function summary(cells: MapCells): string {
     ...share(
       'blows up',
       cells.count(({ kind }) => kind === 'diverged'),
+    ),
+    ...share(
+      `stays on the track as the run at ${REFERENCE_RATE} fps does not`,
+      cells.count(({ kind }) => kind === 'different'),
     ),
     ...share(
       'can’t be run',

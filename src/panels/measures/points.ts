@@ -1,6 +1,12 @@
 import { integrators } from '../../physics/index.ts'
 import type { Integrator, IntegratorId, Outcome } from '../../physics/index.ts'
-import { counts, isExact, orderOfCurve, outcomeKinds } from '../../measure/index.ts'
+import {
+  counts,
+  isExact,
+  orderOfCurve,
+  outcomeKinds,
+  withoutRounding,
+} from '../../measure/index.ts'
 import type { SweepCurve } from '../../measure/index.ts'
 import { count, fixed, plain, seconds } from '../../chart/numbers.ts'
 
@@ -44,7 +50,7 @@ export interface DiagramPoint {
   readonly rate: number
   /** For a simulated second. */
   readonly cost: number
-  /** The largest of the run [m]. */
+  /** The largest of the run, 0 where it is rounding [m]. */
   readonly error: number
   readonly outcome: Outcome['kind']
   /** Its error says something: it ran to its end, and the truth is known. */
@@ -72,6 +78,8 @@ export interface DiagramCurve {
   /** What was found of its order, in a word or two. */
   readonly order: string
   readonly exact: boolean
+  /** The length of the path, against which rounding is measured [m]. */
+  readonly scale: number
 }
 
 /** The curves of a diagram, from the sweep's numbers and what each point costs. */
@@ -88,14 +96,14 @@ export function diagramCurves(
       method: curve.method,
       rate,
       cost: cost[i]!,
-      error: curve.errors[i]!,
+      error: withoutRounding(curve.errors[i]!, curve.scale),
       outcome: outcomeKinds[curve.outcomes[i]!]!,
       whole: counts(curve, i),
     }))
     const order = orderText(curve, rates)
-    return [
-      { method: curve.method, label, paletteIndex: colour, points, order, exact: isExact(curve) },
-    ]
+    const { method, scale } = curve
+    const exact = isExact(curve)
+    return [{ method, label, paletteIndex: colour, points, order, exact, scale }]
   })
 }
 

@@ -2,13 +2,13 @@ import { html, LitElement, nothing } from 'lit'
 import { integrators, scenes, stoppings, timesteps } from '../../physics/index.ts'
 import type { Experiment, SceneId } from '../../physics/index.ts'
 import { spreadMethods } from '../../measure/index.ts'
-import type { Method, LabState } from '../../lab/state/state.ts'
-import type { SpreadRequest, SpreadRow } from '../../measure/index.ts'
+import type { Spread, SpreadRequest, SpreadRow } from '../../measure/index.ts'
 import { sizeText } from '../../chart/magnitudes.ts'
-import { raw } from '../../chart/numbers.ts'
 import { menu } from '../../ui/menu.ts'
-import { openingOf } from '../../lab/state/opening.ts'
 import { choose } from '../../lab/state/change.ts'
+import { openingOf } from '../../lab/state/opening.ts'
+import { spreadText } from '../../lab/state/spreadText.ts'
+import type { LabState, Method } from '../../lab/state/state.ts'
 import { Measuring, progress } from './measuring.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
@@ -30,7 +30,7 @@ class SpreadView extends LitElement {
   declare load: (scene: SceneId, method: Method, label: string, words: string) => void
   declare private stopping: Method['stopping']
   declare private timestep: Method['timestep']
-  private rows = new Map<number, Float64Array>()
+  private rows = new Map<number, readonly Spread[]>()
   private readonly measuring: Measuring = new Measuring(this, (_, parts, fresh) => {
     if (fresh) this.rows = new Map()
     for (const part of parts as SpreadRow[]) this.rows.set(part.row, part.spreads)
@@ -127,17 +127,17 @@ class SpreadView extends LitElement {
       ${scenes.map(({ id, label }, column) => {
         const spread = spreads?.[column]
         if (spread === undefined) return html`<td>…</td>`
-        const text = Number.isFinite(spread) ? sizeText(spread) : 'without bound'
-        const [number, remark] = text.split(/ (?=\()/)
-        return html`<td ?data-exact=${remark !== undefined}>
+        const { value, remark, title, exact } = spreadText(spread, sizeText)
+        const text = remark ? `${value} (${remark})` : value
+        return html`<td ?data-exact=${exact}>
           <button
             type="button"
             class="in-text"
-            title="${raw(spread)} m. Click to see it in the lab."
+            title="${title}. Click to see it in the lab."
             aria-label="${name}, ${label}: ${text}. Show it in the lab"
-            @click=${() => this.load(id, method, `${name}, ${label.toLowerCase()}`, `Its frame-rate spread, from 5 to 240 fps, is ${text}.`)}
+            @click=${() => this.load(id, method, `${name}, ${label.toLowerCase()}`, `Its frame-rate spread, from 5 to 240 fps: ${text}.`)}
           >
-            ${number}${remark ? html` <small>${remark}</small>` : nothing}
+            ${value}${remark ? html` <small>(${remark})</small>` : nothing}
           </button>
         </td>`
       })}

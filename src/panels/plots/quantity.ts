@@ -1,5 +1,10 @@
 import type { State, Trajectory } from '../../physics/index.ts'
-import { energyResidual, presentationErrors } from '../../measure/index.ts'
+import {
+  energyResidual,
+  presentationErrors,
+  scaleOf,
+  withoutRounding,
+} from '../../measure/index.ts'
 import { residualText } from '../../chart/magnitudes.ts'
 import { fixed, place, plain } from '../../chart/numbers.ts'
 
@@ -15,13 +20,10 @@ export interface PlotQuantity {
   text(value: number): string
   /** The least stretch that an axis shows: below it, a constant would look like a mountain range. */
   readonly least: number
-  /** It should be 0, and is never quite: below some size it is rounding. */
+  /** It should be 0; what is rounding is given as 0. */
   readonly residual?: true
   readonly logarithmic?: true
 }
-
-/** What an error of 0 is drawn as [m]: a logarithm has no place for it. */
-const FLOOR = 1e-16
 
 const thin = '\u2009'
 
@@ -48,13 +50,16 @@ export const speed: PlotQuantity = {
   least: 0.01,
 }
 
-/** How far what is shown is from the exact block, |drawnS − exact(time)|, at least the floor [m]. */
+/** How far what is shown is from the exact block, |drawnS − exact(time)| [m]. */
 export const error: PlotQuantity = {
   label: 'error',
   unit: 'm',
-  values: remembered((trajectory) =>
-    presentationErrors(trajectory).each.map((each) => Math.max(FLOOR, Math.abs(each))),
-  ),
+  values: remembered((trajectory) => {
+    const { length } = scaleOf(trajectory.experiment)
+    return presentationErrors(trajectory).each.map((each) =>
+      withoutRounding(Math.abs(each), length),
+    )
+  }),
   text: (value) => residualText(value, 'm'),
   least: 0,
   residual: true,
@@ -65,7 +70,10 @@ export const error: PlotQuantity = {
 export const energy: PlotQuantity = {
   label: 'energy residual',
   unit: 'J',
-  values: remembered(energyResidual),
+  values: remembered((trajectory) => {
+    const { energy } = scaleOf(trajectory.experiment)
+    return energyResidual(trajectory).map((each) => withoutRounding(each, energy))
+  }),
   ofExact: () => 0,
   text: (value) => residualText(value, 'J'),
   least: 0.001,

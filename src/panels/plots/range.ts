@@ -1,6 +1,5 @@
 import { errorAxis, linearAxis } from '../../chart/axis.ts'
 import type { Axis } from '../../chart/axis.ts'
-import { ROUNDING } from '../../chart/numbers.ts'
 import { samplesOf } from '../../view/samples.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotQuantity } from './quantity.ts'
@@ -58,7 +57,7 @@ function logarithmic(quantity: PlotQuantity, { visible }: Simulated): Axis {
   let largest = 0
   for (const { trajectory } of visible) {
     for (const value of quantity.values(trajectory)) {
-      if (!(value >= ROUNDING)) continue
+      if (!(value > 0)) continue
       if (value < smallest) smallest = value
       if (value > largest) largest = value
     }

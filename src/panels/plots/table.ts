@@ -1,6 +1,6 @@
 import { html } from 'lit'
 import type { Trajectory } from '../../physics/index.ts'
-import { fixed, plain, raw, ROUNDING } from '../../chart/numbers.ts'
+import { fixed, plain, raw } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind } from './kinds.ts'
@@ -71,7 +71,7 @@ function cell(quantity: PlotQuantity, value: number, time: number): TableCell {
 /** Without its unit, which stands in the head. */
 function numberText({ residual }: PlotQuantity, value: number): string {
   const size = Math.abs(value)
-  if (residual && size < ROUNDING) return '0 (to rounding)'
+  if (residual && size === 0) return '0 (to rounding)'
   return size < 1e4 && (!residual || size >= 0.01) ? fixed(value, 3) : plain(value)
 }
 

@@ -1,4 +1,5 @@
 import type { Trajectory } from '../../physics/index.ts'
+import { scaleOf, withoutRounding } from '../../measure/index.ts'
 import { fixed, metres, place, raw, seconds } from '../../chart/numbers.ts'
 import { endOf } from '../../view/timeline.ts'
 import { errorAt } from '../../lab/state/simulation.ts'
@@ -15,7 +16,7 @@ export function errorText(
 ): { text: string; title: string } {
   const error = errorAt(trajectory, exact, row)
   return {
-    text: signed(scene.facing * error),
+    text: signed(scene.facing * withoutRounding(error, scaleOf(trajectory.experiment).length)),
     title: `s − exact(t) = ${raw(error)} m, at t = ${raw(trajectory.time[row]!)} s`,
   }
 }

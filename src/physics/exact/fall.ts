@@ -1,4 +1,4 @@
-import type { ExactMotion, State } from '../scene.ts'
+import type { ExactMotion, State } from '../state.ts'
 import { cardinal } from './cardinal.ts'
 
 // From here on cosh x and sinh x are eˣ/2 to the last bit.
@@ -27,13 +27,34 @@ export function exactFall(parameters: {
   const w = Math.sqrt(gravity) * Math.sqrt(k)
   const topTime = speed < 0 ? climbTime(gravity, k, w, -speed) : 0
   const top = { s: position, v: speed }
-  if (topTime > 0 && topTime < Infinity) rise(gravity, k, w, topTime, position, -speed, top)
+  if (topTime > 0 && topTime < Infinity) rise(topTime, top)
   const fallSpeed = Math.max(0, speed)
 
-  return (t, into) =>
-    t < topTime
-      ? rise(gravity, k, w, t, position, -speed, into)
-      : fall(gravity, k, w, t - topTime, top.s, fallSpeed, into)
+  return (t, into) => (t < topTime ? rise(t, into) : fall(t - topTime, into))
+
+  function rise(t: number, into: State): State {
+    const x = w * t
+    const T = t * cardinal(Math.tan(x), x)
+    const half = t * cardinal(Math.sin(x / 2), x / 2)
+    const A = -speed * t * cardinal(Math.sin(x), x) - 0.5 * gravity * half * half
+    into.s = position - A * cardinal(Math.log1p(k * A), k * A)
+    into.v = (speed + gravity * T) / (1 - k * speed * T)
+    return into
+  }
+
+  function fall(t: number, into: State): State {
+    const x = w * t
+    const T = t * cardinal(Math.tanh(x), x)
+    into.v = (fallSpeed + gravity * T) / (1 + k * fallSpeed * T)
+    if (x > STEADY) {
+      into.s = top.s + (gravity / w) * t + Math.log(0.5 + (0.5 * fallSpeed * k) / w) / k
+      return into
+    }
+    const half = t * cardinal(Math.sinh(x / 2), x / 2)
+    const A = fallSpeed * t * cardinal(Math.sinh(x), x) + 0.5 * gravity * half * half
+    into.s = top.s + A * cardinal(Math.log1p(k * A), k * A)
+    return into
+  }
 }
 
 /** How long a ball that starts upwards with `speed` rises: atan(speed k/w)/w [s]. */
@@ -41,44 +62,4 @@ function climbTime(gravity: number, k: number, w: number, speed: number): number
   if (gravity === 0) return Infinity
   const y = speed * (Math.sqrt(k) / Math.sqrt(gravity))
   return y < 1 ? (speed / gravity) * cardinal(Math.atan(y), y) : Math.atan(y) / w
-}
-
-function rise(
-  gravity: number,
-  k: number,
-  w: number,
-  t: number,
-  from: number,
-  speed: number,
-  into: State,
-): State {
-  const x = w * t
-  const T = t * cardinal(Math.tan(x), x)
-  const half = t * cardinal(Math.sin(x / 2), x / 2)
-  const A = speed * t * cardinal(Math.sin(x), x) - 0.5 * gravity * half * half
-  into.s = from - A * cardinal(Math.log1p(k * A), k * A)
-  into.v = -(speed - gravity * T) / (1 + k * speed * T)
-  return into
-}
-
-function fall(
-  gravity: number,
-  k: number,
-  w: number,
-  t: number,
-  from: number,
-  speed: number,
-  into: State,
-): State {
-  const x = w * t
-  const T = t * cardinal(Math.tanh(x), x)
-  into.v = (speed + gravity * T) / (1 + k * speed * T)
-  if (x > STEADY) {
-    into.s = from + (gravity / w) * t + Math.log(0.5 + (0.5 * speed * k) / w) / k
-    return into
-  }
-  const half = t * cardinal(Math.sinh(x / 2), x / 2)
-  const A = speed * t * cardinal(Math.sinh(x), x) + 0.5 * gravity * half * half
-  into.s = from + A * cardinal(Math.log1p(k * A), k * A)
-  return into
 }

@@ -1,31 +1,27 @@
-import type { State } from '../scene.ts'
-
-/** The degree of the polynomial on a bend: the cost of a step grows with its square, the step's length ever less. */
-export const DEGREE = 24
+import type { State } from '../state.ts'
 
 /** A stretch of time with one law. In it s is a polynomial of x, the time since its start in units of `unit`. */
-export class Phase {
-  /** [s] */
-  unit = 1
-  degree = 0
+export interface Phase {
   /** Coefficients of s [m], the constant one first. */
-  readonly c = new Float64Array(DEGREE + 1)
-  /** How long it lasts [s], and the state that it ends with. */
-  lasts = NaN
-  readonly end: State = { s: NaN, v: NaN }
+  readonly c: readonly number[]
+  /** [s] */
+  readonly unit: number
+  /** How long it lasts [s]. */
+  readonly lasts: number
+  /** The state at its end. */
+  readonly end: State
+}
+
+/** The last phase of a motion, with one state for ever: at rest, off the track, or NaN where the motion is unknown. */
+export function stay(s: number, v: number): Phase {
+  return { c: [s], unit: 1, lasts: Infinity, end: { s, v } }
 }
 
 /** Sets `into` to the value of a polynomial and to its derivative, by Horner's rule. */
-export function evaluate(
-  c: Float64Array,
-  offset: number,
-  degree: number,
-  x: number,
-  into: State,
-): State {
-  let value = c[offset + degree]!
+export function evaluate(c: readonly number[], x: number, into: State): State {
+  let value = c[c.length - 1]!
   let slope = 0
-  for (let i = offset + degree - 1; i >= offset; i--) {
+  for (let i = c.length - 2; i >= 0; i--) {
     slope = slope * x + value
     value = value * x + c[i]!
   }
@@ -40,19 +36,19 @@ const point: State = { s: NaN, v: NaN }
  * Where a polynomial takes a value, between 0 and a place where it is on the other side of it: Newton's method, with
  * bisection wherever that would leave the bracket or not halve the last step (Press et al., Numerical Recipes, rtsafe).
  */
-export function crossing(c: Float64Array, degree: number, target: number, end: number): number {
-  const falls = evaluate(c, 0, degree, end, point).s < target
+export function crossing(c: readonly number[], target: number, end: number): number {
+  const falls = evaluate(c, end, point).s < target
   let low = 0
   let high = end
   let x = end
   let last = end
   for (;;) {
-    const { s, v } = evaluate(c, 0, degree, x, point)
-    const missed = s - target
-    if (missed === 0) return x
-    if (missed > 0 === falls) low = x
+    const { s, v } = evaluate(c, x, point)
+    const residual = s - target
+    if (residual === 0) return x
+    if (residual > 0 === falls) low = x
     else high = x
-    let next = x - missed / v
+    let next = x - residual / v
     if (!(next > low && next < high && Math.abs(next - x) <= last / 2))
       next = low + (high - low) / 2
     last = Math.abs(next - x)

@@ -1,6 +1,9 @@
+import { ExactSum } from '../exactSum.ts'
+import { holds } from '../holds.ts'
 import type { Piece, Track } from '../track.ts'
 import { slideArc } from './arc.ts'
-import { Phase } from './phase.ts'
+import { stay } from './phase.ts'
+import type { Phase } from './phase.ts'
 import { slideStraight } from './straight.ts'
 
 /** What a motion on a track starts from, and the law's constants. */
@@ -14,17 +17,15 @@ export interface TrackParameters {
 
 /** A block on a track, moving from one phase of its motion to the next. */
 export class Slide {
-  /** The phase entered last. One that lasts for ever is the motion's last. */
-  readonly phase = new Phase()
-  /** When that phase began and when it ends [s]. */
-  start = 0
+  /** When the next phase begins [s]: a sum of the phases so far, rounded once. */
   time = 0
-  /** The instants at which a block without kinetic friction set off from v = 0 [s]: the third sees the first come again. */
+  /** The instants at which a block without kinetic friction set off from v = 0 [s]: at the third, the motion repeats. */
   readonly turns: number[] = []
 
+  private readonly lasted = new ExactSum()
   private s: number
   private v: number
-  /** The slip direction: of the motion, and after a stop of the motion that it ended. */
+  /** The slip direction; while the block rests, that of the motion before. */
   private slip: 1 | -1 | 0
   private readonly track: Track
   private readonly gravity: number
@@ -42,29 +43,27 @@ export class Slide {
     this.slip = speed > 0 ? 1 : speed < 0 ? -1 : 0
   }
 
-  /** Enters the next phase. */
-  next(): void {
-    const { phase, gravity, muKinetic, s, v } = this
-    const moves = v !== 0 || this.setsOff()
-    const piece = this.pieceTowards(this.slip)
-    if (!moves || this.slip === 0 || !piece) this.stay()
-    else if (piece.curvature === 0) {
-      const a = gravity * piece.sin - this.slip * muKinetic * (gravity * piece.cos)
-      slideStraight(phase, s, v, this.slip, a, this.slip > 0 ? piece.to : piece.from)
-    } else slideArc(phase, s, v, this.slip, this.slip * muKinetic, gravity, piece)
-    this.start = this.time
-    this.time += phase.lasts
+  /** Moves on by a phase: up to a change of the law, for a step of a series, or for ever. */
+  next(): Phase {
+    const phase = this.phase()
+    // Infinity has no low part to carry; no phase follows it.
+    if (phase.lasts < Infinity) this.lasted.add(phase.lasts)
+    this.time = phase.lasts < Infinity ? this.lasted.value : Infinity
     this.s = phase.end.s
     this.v = phase.end.v
+    return phase
   }
 
-  /** At rest, or off the track, where the state at the lip is kept. */
-  private stay(): void {
-    const { phase } = this
-    phase.degree = 0
-    phase.c[0] = phase.end.s = this.s
-    phase.end.v = this.v
-    phase.lasts = Infinity
+  private phase(): Phase {
+    const { gravity, muKinetic, s, v } = this
+    const moves = v !== 0 || this.setsOff()
+    const { slip } = this
+    const piece = this.pieceTowards(slip)
+    if (!moves || slip === 0 || !piece) return stay(s, v)
+    const mu = slip * muKinetic
+    if (piece.curvature !== 0) return slideArc(s, v, slip, mu, gravity, piece)
+    const a = gravity * piece.sin - mu * (gravity * piece.cos)
+    return slideStraight(s, v, slip, a, slip > 0 ? piece.to : piece.from)
   }
 
   /** Decides for a block with v = 0 whether it stays, and if not, sets the slip direction. */
@@ -72,10 +71,12 @@ export class Slide {
     const here = this.pieceTowards(1) ?? this.pieceTowards(-1)
     if (!here) return false
     const direction = Math.sign(this.drive(here))
-    // What friction has stopped it holds. Without this, rounding could let go a block that moves by less than an ulp.
+    // Friction holds what it has stopped. Without this, rounding could release a block that moves by less than an ulp.
     if (direction === this.slip || direction === 0) return false
     const ahead = this.pieceTowards(direction)
-    if (!ahead || Math.abs(this.drive(ahead)) <= this.muHold * this.press(ahead)) return false
+    if (!ahead) return false
+    const drive = this.drive(ahead)
+    if (holds(drive, this.muHold * this.press(ahead), Math.abs(drive))) return false
     this.slip = direction > 0 ? 1 : -1
     if (this.muKinetic === 0) this.turns.push(this.time)
     return true

@@ -1,4 +1,5 @@
-import type { ExactMotion } from '../scene.ts'
+import type { ExactMotion } from '../state.ts'
+import { holds } from '../holds.ts'
 import { straight } from '../track.ts'
 import { sinCosDegrees } from '../trigonometry.ts'
 import { cardinal } from './cardinal.ts'
@@ -41,7 +42,8 @@ export function exactSpring(parameters: {
   const stopDrive = speed === 0 ? startDrive : gravity * sin - square * stop
   const direction = Math.sign(stopDrive)
   const F = Math.abs(stopDrive)
-  const halfSwings = F <= hold ? 0 : Math.ceil((F - hold) / (2 * friction))
+  const terms = gravity * sin + square * Math.abs(stop)
+  const halfSwings = halfSwingsUntilHeld(F, friction, hold, terms)
   const half = Math.PI / omega
 
   return (t, into) => {
@@ -79,4 +81,12 @@ function firstStop(position: number, speed: number, slip: number, a: number, ome
   const amplitude = Math.hypot(speed, offset)
   const way = offset > 0 ? (speed / (amplitude + offset)) * speed : amplitude - offset
   return { stop: position + (slip * way) / omega, stopTime: Math.atan2(speed, offset) / omega }
+}
+
+/** After how many half-swings friction holds a block whose drive, F at the first stop, is 2f less at each later one. */
+function halfSwingsUntilHeld(F: number, friction: number, hold: number, terms: number): number {
+  if (holds(F, hold, terms)) return 0
+  const n = Math.ceil((F - hold) / (2 * friction))
+  // Where the drive just ties with friction, rounding may have added a half-swing.
+  return holds(F - 2 * friction * (n - 1), hold, terms) ? n - 1 : n
 }

@@ -5,14 +5,20 @@ import { fps, seed } from './options.ts'
 
 const options = { fps, seed } as const
 
-/** The display refreshes steadily, but the game misses some refreshes, by chance. */
+/**
+ * A display that refreshes steadily, and a game that misses some refreshes: a channel that loses packets in bursts
+ * (Gilbert, 1960; Elliott, 1963). Before each frame, the game gets busy with probability 1/32, or is done with
+ * probability 1/4. While it is busy, a frame takes one refresh with probability 1/4, two with 1/2, three with 1/4;
+ * otherwise it takes one. So it is busy for a ninth of all frames, four at a time, and the mean frame takes 10/9 of a
+ * refresh: 54 fps at 60 Hz.
+ */
 export const missedVsync = {
   id: 'missed-vsync',
   label: 'Missed vsync',
   about:
-    'The display refreshes steadily; a frame that is not ready waits for the next refresh, so it lasts one or two, by chance.',
+    'The display refreshes steadily. Most frames are ready for the next refresh; some take two or three, in bursts: 54 frames a second at 60 Hz.',
   options,
-  frames: ({ fps }: Values<typeof options>, duration: number) => (fps / 1.5) * duration,
+  frames: ({ fps }: Values<typeof options>, duration: number) => 0.9 * fps * duration,
   start: (chosen: Values<typeof options>): Frames => new MissedVsyncFrames(chosen),
 } as const satisfies FrameClock
 
@@ -20,6 +26,7 @@ class MissedVsyncFrames implements Frames {
   duration = NaN
   time = 0
   private refreshes = 0
+  private busy = false
   private readonly fps: number
   private readonly random: Random
 
@@ -29,7 +36,10 @@ class MissedVsyncFrames implements Frames {
   }
 
   next(): void {
-    const refreshes = this.random.next() < 2147483648 ? 1 : 2
+    const draw = this.random.next()
+    // The highest bits decide whether the game changes, the lowest two how many refreshes a busy frame takes.
+    this.busy = this.busy ? draw >>> 30 !== 0 : draw >>> 27 === 0
+    const refreshes = this.busy ? 1 + (draw & 1) + ((draw >>> 1) & 1) : 1
     this.refreshes += refreshes
     this.duration = refreshes / this.fps
     this.time = this.refreshes / this.fps

@@ -1,5 +1,4 @@
 import type { Integrator } from '../integrator.ts'
-import type { Motion } from '../motion.ts'
 
 /** Forward Euler: the slope at the beginning, kept for the whole step (Euler, 1768). */
 export const explicitEuler = {
@@ -14,17 +13,11 @@ export const explicitEuler = {
   symplectic: false,
   evaluations: { least: 1, most: 1 },
   colour: 0,
-  step(motion: Motion): void {
-    let { s, v } = motion
-    let taken = 0
-    do {
-      const { dt } = motion
-      // #region step
-      const a = motion.acceleration(s, v)
-      s = s + v * dt
-      v = v + a * dt
-      // #endregion
-      taken++
-    } while (motion.goesOn(s, v, taken))
+  // #region step
+  step: (motion) => {
+    const { s, v, dt } = motion
+    motion.v = v + motion.acceleration(s, v) * dt
+    motion.s = s + v * dt
   },
+  // #endregion
 } as const satisfies Integrator

@@ -1,7 +1,6 @@
 import type { Integrator } from '../integrator.ts'
-import type { Motion } from '../motion.ts'
 
-const MOST_ITERATIONS = 40
+const MOST_ITERATIONS = 39
 // Two rounding errors of a number of size one.
 const ROUNDING = 2 * Number.EPSILON
 
@@ -16,41 +15,28 @@ export const implicitMidpoint = {
   orderWithSpeed: 2,
   stability: Infinity,
   symplectic: true,
-  evaluations: { least: 1, most: MOST_ITERATIONS },
-  counts: true,
+  evaluations: { least: 1, most: MOST_ITERATIONS + 1 },
   colour: 6,
-  step(motion: Motion): void {
-    let { s, v } = motion
-    let taken = 0
-    do {
-      const { dt } = motion
-      const half = 0.5 * dt
-      // By how much a guess of v̄ misses its equation; the secant through the last two misses gives the next guess.
-      let guess = v
-      let miss = half * motion.acceleration(s + half * guess, guess)
-      let change = miss
-      let looks = 1
-      let stuck = false
-      while (
-        Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)) &&
-        looks < MOST_ITERATIONS &&
-        !stuck
-      ) {
-        guess += change
-        const next = v - guess + half * motion.acceleration(s + half * guess, guess)
-        // Two guesses that miss alike point nowhere.
-        if (next === miss) stuck = true
-        // The quotient first: the product of two small numbers may underflow, and look as if solved.
-        else change *= next / (miss - next)
-        miss = next
-        looks++
+  step: (motion) => {
+    const { s, v, dt } = motion
+    const half = 0.5 * dt
+    // The residual of a guess of v̄ in its equation; the secant through the last two gives the next guess.
+    let guess = v
+    let residual = half * motion.acceleration(s + half * guess, guess)
+    let change = residual
+    for (let i = 1; Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)); i++) {
+      guess += change
+      const next = v - guess + half * motion.acceleration(s + half * guess, guess)
+      // Two guesses with the same residual point nowhere.
+      if (next === residual || i === MOST_ITERATIONS) {
+        motion.unsolved++
+        break
       }
-      motion.keptEvaluations = motion.evaluations
-      motion.evaluations += looks
-      if (stuck || looks === MOST_ITERATIONS) motion.leaveUnsolved()
-      s = s + guess * dt
-      v = guess + guess - v
-      taken++
-    } while (motion.goesOn(s, v, taken))
+      // The quotient first: the product of two small numbers may underflow, and look as if solved.
+      change *= next / (residual - next)
+      residual = next
+    }
+    motion.s = s + guess * dt
+    motion.v = guess + guess - v
   },
 } as const satisfies Integrator

@@ -1,5 +1,4 @@
 import type { Integrator } from '../integrator.ts'
-import type { Motion } from '../motion.ts'
 
 /**
  * The slopes before it that go into each stage, and into the step: by how much they are divided, then which slope and the
@@ -69,7 +68,7 @@ function lowered(n: number): string {
 
 /** The slopes of the stages: how fast s changes there, and v. */
 const speeds = new Float64Array(11)
-const pulls = new Float64Array(11)
+const accelerations = new Float64Array(11)
 
 /** A Runge–Kutta method of the eighth order in eleven stages (Cooper & Verner, 1972). */
 export const rk8 = {
@@ -93,29 +92,24 @@ export const rk8 = {
   symplectic: false,
   evaluations: { least: 11, most: 11 },
   colour: 7,
-  step(motion: Motion): void {
-    let { s, v } = motion
-    let taken = 0
-    do {
-      const { dt } = motion
-      let sHere = s
-      let vHere = v
-      for (let stage = 0; stage < 11; stage++) {
-        speeds[stage] = vHere
-        pulls[stage] = motion.acceleration(sHere, vHere)
-        const share = shares[stage]!
-        let speed = 0
-        let pull = 0
-        for (let i = 0; i <= stage; i++) {
-          speed += share[i]! * speeds[i]!
-          pull += share[i]! * pulls[i]!
-        }
-        sHere = s + speed * dt
-        vHere = v + pull * dt
+  step: (motion) => {
+    const { s, v, dt } = motion
+    let sHere = s
+    let vHere = v
+    for (let stage = 0; stage < 11; stage++) {
+      speeds[stage] = vHere
+      accelerations[stage] = motion.acceleration(sHere, vHere)
+      const share = shares[stage]!
+      let speed = 0
+      let acceleration = 0
+      for (let i = 0; i <= stage; i++) {
+        speed += share[i]! * speeds[i]!
+        acceleration += share[i]! * accelerations[i]!
       }
-      s = sHere
-      v = vHere
-      taken++
-    } while (motion.goesOn(s, v, taken))
+      sHere = s + speed * dt
+      vHere = v + acceleration * dt
+    }
+    motion.s = sHere
+    motion.v = vHere
   },
 } as const satisfies Integrator

@@ -1,5 +1,4 @@
 import type { Integrator } from '../integrator.ts'
-import type { Motion } from '../motion.ts'
 
 /** Velocity Verlet (Swope et al., 1982), with a predicted velocity where the force asks for one. */
 export const velocityVerlet = {
@@ -19,25 +18,16 @@ export const velocityVerlet = {
   symplectic: true,
   evaluations: { least: 1, most: 2 },
   colour: 2,
-  step(motion: Motion): void {
-    const { reusable } = motion
-    let { s, v } = motion
-    if (motion.known === 0) motion.a = motion.acceleration(s, v)
-    let { a } = motion
-    let before = a
-    let taken = 0
-    for (;;) {
-      const { dt } = motion
-      // #region step
-      before = a
-      s = s + (v + 0.5 * before * dt) * dt
-      a = motion.acceleration(s, v + before * dt)
-      v = v + 0.5 * (before + a) * dt
-      // #endregion
-      if (!motion.goesOn(s, v, ++taken)) break
-      // This step's a′ is the next step's a, unless the force looks at the velocity.
-      if (reusable === 0) a = motion.acceleration(s, v)
-    }
-    motion.a = motion.taken < motion.asked ? before : a
+  // #region step
+  step: (motion) => {
+    const { s, v, dt } = motion
+    if (!motion.known) motion.a = motion.acceleration(s, v)
+    const { a } = motion
+    motion.s = s + (v + 0.5 * a * dt) * dt
+    motion.a = motion.acceleration(motion.s, v + a * dt)
+    motion.v = v + 0.5 * (a + motion.a) * dt
+    // This step's last acceleration is the next step's first, unless the force depends on the velocity.
+    motion.known = motion.reusable
   },
+  // #endregion
 } as const satisfies Integrator

@@ -1,12 +1,8 @@
-import { exactTrack } from '../exact/track.ts'
-import type { Contact, Law } from '../law.ts'
-import type { NumberOption, Values } from '../options.ts'
-import type { Scene } from '../scene.ts'
-import { placeOn } from '../track.ts'
-import type { Track } from '../track.ts'
-import { SinCos, sinCos } from '../trigonometry.ts'
-import { rubbing } from './law.ts'
-import * as shared from './parameters.ts'
+import type { NumberOption } from '../options.ts'
+import { defineScene } from '../scene.ts'
+import type { Parameters } from '../state.ts'
+import { straight } from '../track.ts'
+import { gravity, mass, muKinetic, muStatic, position, speed } from './parameters.ts'
 
 const radius = {
   type: 'number',
@@ -20,67 +16,34 @@ const radius = {
   optional: true,
 } as const satisfies NumberOption
 
-const parameters = {
-  radius,
-  muStatic: { ...shared.muStatic, initial: 0 },
-  muKinetic: { ...shared.muKinetic, initial: 0 },
-  gravity: shared.gravity,
-  mass: shared.mass,
-  position: { ...shared.position, initial: 1.6 },
-  speed: shared.speed,
-} as const
-type HalfPipeParameters = Values<typeof parameters>
-
 /** To and fro in a pipe: a pendulum. */
-export const halfPipe = {
+export const halfPipe = defineScene({
   id: 'half-pipe',
   label: 'Half-pipe',
   about:
     'To and fro between two walls: who gains energy, who loses it, and who is thrown out of the pipe?',
-  parameters,
+  parameters: {
+    radius,
+    muStatic: { ...muStatic, initial: 0 },
+    muKinetic: { ...muKinetic, initial: 0 },
+    ...{ gravity, mass, position: { ...position, initial: 1.6 }, speed },
+  },
   duration: 10,
   facing: 1,
-  conflict: ({ radius, position }: HalfPipeParameters) =>
-    Math.abs(position) < lip(radius)
+  conflict: (parameters) =>
+    Math.abs(parameters.position!) < lip(parameters)
       ? undefined
       : {
           parameter: 'position',
-          problem: `is not inside the pipe, whose radius of ${radius} m puts its lips at ±${Number(lip(radius).toPrecision(5))} m`,
+          problem: `is not inside the pipe, whose radius of ${parameters.radius!} m puts its lips at ±${Number(lip(parameters).toPrecision(5))} m`,
         },
-  law: ({ radius, gravity, mass, muStatic, muKinetic }: HalfPipeParameters): Law => {
-    const direction = new SinCos()
-    // #region forces
-    const pipe = (block: Contact) => {
-      direction.angle = block.s / radius
-      direction.find()
-      block.drive = -gravity * direction.sin
-      block.press = gravity * direction.cos + (block.v * block.v) / radius
-    }
-    // #endregion
-    return {
-      ...rubbing(mass, muStatic, muKinetic),
-      // Beyond the lips there is no track; a step that ends there has felt the pipe's forces.
-      forces: [pipe, pipe, pipe],
-      dependsOnSpeed: muKinetic > 0,
-      joints: [-lip(radius), lip(radius)],
-      open: true,
-    }
+  track: (parameters) => {
+    const [from, to] = [-lip(parameters), lip(parameters)]
+    return [{ ...straight(0), from, to, curvature: 1 / parameters.radius! }]
   },
-  place: ({ radius }: HalfPipeParameters, s: number) => placeOn(track(radius), s),
-  potential: ({ radius, gravity }: HalfPipeParameters, s: number) => {
-    // 1 − cos θ = 2 sin² θ/2, without the cancellation near the bottom.
-    const { sin } = sinCos(s / radius / 2)
-    return 2 * gravity * radius * sin * sin
-  },
-  exact: (parameters: HalfPipeParameters) => exactTrack(track(parameters.radius), parameters),
-} as const satisfies Scene
+})
 
 /** The distance from the bottom to the lip, a quarter of a circle [m]. */
-function lip(radius: number): number {
-  return (Math.PI / 2) * radius
-}
-
-function track(radius: number): Track {
-  const bottom = { at: 0, x: 0, y: 0, slope: 0, sin: 0, cos: 1 }
-  return [{ ...bottom, from: -lip(radius), to: lip(radius), curvature: 1 / radius }]
+function lip({ radius }: Parameters): number {
+  return (Math.PI / 2) * radius!
 }

@@ -26,12 +26,12 @@ export const capped = {
   steps: (_, __, frames) => frames,
   start: ({ cap }: Values<typeof options>) => {
     const lost = new ExactSum()
-    return (run) => {
-      if (run.frameDuration > cap) lost.add(run.frameDuration - cap)
-      run.motion.dt = Math.min(run.frameDuration, cap)
-      run.step()
-      run.lostTime = lost.value
-      run.stateTime = run.time - run.lostTime
+    return (frame) => {
+      if (frame.frameDuration > cap) lost.add(frame.frameDuration - cap)
+      frame.motion.dt = Math.min(frame.frameDuration, cap)
+      frame.step()
+      frame.lostTime = lost.value
+      frame.stateTime = frame.time - frame.lostTime
     }
   },
 } as const satisfies TimestepPolicy

@@ -43,26 +43,26 @@ export const fixed = {
     let dropped = 0
     // A field, since engines box a number that a closure keeps changing.
     const before = { s: NaN }
-    return (run) => {
-      const { motion } = run
+    return (frame) => {
+      const { motion } = frame
       // The accumulator is the time by which the wall clock is ahead of the physics: counted, not added up.
-      const due = wholeSteps(run.time, step) - dropped - taken
+      const due = wholeSteps(frame.time, step) - dropped - taken
       const count = Math.min(due, maxSteps)
       dropped += due - count
       if (count > 0) {
         motion.dt = step
-        run.stateTime = 0
-        run.step(count - 1, taken)
+        frame.stateTime = 0
+        frame.step(count - 1, taken)
         before.s = motion.s
-        run.step(1, taken + count - 1)
+        frame.step(1, taken + count - 1)
         taken += count
-        run.stateTime = taken * step
+        frame.stateTime = taken * step
       }
-      run.lostTime = dropped * step
-      const accumulator = Math.max(0, run.time - (taken + dropped) * step)
-      if (draw === 'extrapolated') run.drawnS = motion.s + motion.v * accumulator
+      frame.lostTime = dropped * step
+      const accumulator = Math.max(0, frame.time - (taken + dropped) * step)
+      if (draw === 'extrapolated') frame.drawnS = motion.s + motion.v * accumulator
       if (draw === 'interpolated' && taken > 0)
-        run.drawnS = before.s + (motion.s - before.s) * (accumulator / step)
+        frame.drawnS = before.s + (motion.s - before.s) * (accumulator / step)
     }
   },
   // #endregion

@@ -16,10 +16,10 @@ export const perFrame = {
   // #region advance
   start: ({ step }: Values<typeof options>) => {
     let steps = 0
-    return (run) => {
-      run.motion.dt = step
-      run.step()
-      run.stateTime = ++steps * step
+    return (frame) => {
+      frame.motion.dt = step
+      frame.step()
+      frame.stateTime = ++steps * step
     }
   },
   // #endregion

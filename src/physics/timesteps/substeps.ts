@@ -18,15 +18,15 @@ export const substeps = {
     duration / step + frames,
   start: ({ step }: Values<typeof options>) => {
     const lost = new ExactSum()
-    return (run) => {
-      const wanted = parts(run.frameDuration, step)
+    return (frame) => {
+      const wanted = parts(frame.frameDuration, step)
       const count = Math.min(wanted, MOST_STEPS_A_FRAME)
-      const length = run.frameDuration / wanted
-      run.motion.dt = length
-      run.step(count)
+      const length = frame.frameDuration / wanted
+      frame.motion.dt = length
+      frame.step(count)
       lost.add((wanted - count) * length)
-      run.lostTime = lost.value
-      run.stateTime = run.time - run.lostTime
+      frame.lostTime = lost.value
+      frame.stateTime = frame.time - frame.lostTime
     }
   },
 } as const satisfies TimestepPolicy

@@ -7,13 +7,12 @@ export const variable = {
   about: 'One step a frame, as long as the frame was: multiply by deltaTime, as the paper does.',
   options: {},
   losesTime: false,
-  stepIsFrame: true,
   steps: (_, __, frames) => frames,
   // #region advance
-  start: () => (run) => {
-    run.motion.dt = run.frameDuration
-    run.step()
-    run.stateTime = run.time
+  start: () => (frame) => {
+    frame.motion.dt = frame.frameDuration
+    frame.step()
+    frame.stateTime = frame.time
   },
   // #endregion
 } as const satisfies TimestepPolicy

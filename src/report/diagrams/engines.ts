@@ -1,5 +1,5 @@
 import * as Plot from '@observablehq/plot'
-import { frameByFrame, ours } from '../contestants.ts'
+import { byHand, ours, recorded } from '../engineList.ts'
 import type { Report } from '../schema.ts'
 import { metres, nanoseconds, times } from '../text/figures.ts'
 import { draw, metricPower, powers } from './draw.ts'
@@ -14,7 +14,8 @@ const FLOOR = 1e-16
 const looks: Readonly<Record<string, { colour: string; symbol: Plot.SymbolType }>> = {
   [ours[0].id]: { colour: ink, symbol: 'star' },
   [ours[1].id]: { colour: runner(7), symbol: 'hexagon' },
-  [frameByFrame.id]: { colour: ink, symbol: 'wye' },
+  [recorded.id]: { colour: ink, symbol: 'wye' },
+  [byHand.id]: { colour: softInk, symbol: 'cross' },
   'matter-js': { colour: runner(0), symbol: 'circle' },
   planck: { colour: runner(1), symbol: 'square' },
   rapier2d: { colour: runner(2), symbol: 'triangle' },
@@ -22,19 +23,19 @@ const looks: Readonly<Record<string, { colour: string; symbol: Plot.SymbolType }
 }
 const otherwise = { colour: runner(4), symbol: 'cross' } as const
 
-type Figures = Pick<Report, 'contestants' | 'peers'>
+type Figures = Pick<Report, 'engines' | 'engineTests'>
 
 /** Who has figures in a list, and how it is drawn. */
-function known({ contestants }: Figures, figures: readonly { engine: string }[]) {
-  return contestants
+function known({ engines }: Figures, figures: readonly { engine: string }[]) {
+  return engines
     .filter(({ id }) => figures.some(({ engine }) => engine === id))
     .map(({ id, label }) => ({ id, label, ...(looks[id] ?? otherwise) }))
 }
 
 /** What one step costs: the median, and the span from the quickest round to the slowest. */
 export function engineTimesDiagram(figures: Figures): Drawing {
-  const shown = known(figures, figures.peers.times).map((each) => {
-    const found = figures.peers.times.find(({ engine }) => engine === each.id)!
+  const shown = known(figures, figures.engineTests.times).map((each) => {
+    const found = figures.engineTests.times.find(({ engine }) => engine === each.id)!
     return { ...each, ...found.step, ratio: found.ratio }
   })
   const least = Math.min(...shown.map((each) => each.least)) / 1.5
@@ -45,8 +46,8 @@ export function engineTimesDiagram(figures: Figures): Drawing {
   return draw(
     {
       file: 'engines-time.svg',
-      title: 'Time of a step with one block on one ramp',
-      description: `Time of one step with one block sliding down one ramp, logarithmic; to the left is better. ${words.join(', ')}.`,
+      title: 'Time of a step with one block on one ramp, a call for each',
+      description: `Time of one step with one block sliding down one ramp, a call for each step, logarithmic; to the left is better. ${words.join(', ')}.`,
     },
     {
       height: 260,
@@ -87,7 +88,7 @@ export function engineTimesDiagram(figures: Figures): Drawing {
 
 /** Errors in every scene at 10 fps. */
 export function engineErrorsDiagram(figures: Figures): Drawing {
-  const { scenes, runs } = figures.peers
+  const { scenes, runs } = figures.engineTests
   const clock = '10 fps'
   const engines = known(figures, runs)
   const dots = engines.flatMap(({ id, colour, symbol }) =>

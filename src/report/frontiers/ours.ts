@@ -5,6 +5,7 @@ import {
   evaluationsPerSecond,
   orderOfCurve,
   outcomeKinds,
+  scaleOf,
   presentationErrorSizes,
 } from '../../measure/index.ts'
 import type { SweepCurve } from '../../measure/index.ts'
@@ -70,6 +71,7 @@ function swept(problem: Problem, method: IntegratorId): SweepCurve {
     rms: Float64Array.from(sizes, ({ rms }) => rms),
     evaluations: Float64Array.from(runs, evaluationsPerSecond),
     outcomes: Uint8Array.from(runs, ({ outcome }) => outcomeKinds.indexOf(outcome.kind)),
+    scale: scaleOf(runs[0]!.experiment).length,
   }
 }
 

@@ -5,9 +5,9 @@ import {
   cheapestWays,
   engineErrors,
   engineTimes,
+  frameTable,
   measuredOn,
   oddities,
-  stepTable,
   targetTable,
 } from './tables.ts'
 import type { Table } from './tables.ts'
@@ -23,21 +23,9 @@ const parts: Readonly<Record<string, (report: Report) => string>> = {
   'engine-errors': (report) => titled(engineErrors(report)),
   'engine-oddities': (report) => bullets(oddities(report)),
   'engine-times': (report) => titled(engineTimes(report)),
-  setups: ({ contestants }) => bullets(contestants.map(({ label, setup }) => `${label}: ${setup}`)),
-  steps: (report) =>
-    [stepTable(report, 'alone', 'moves'), stepTable(report, 'mixed', 'moves')]
-      .map(titled)
-      .join('\n\n'),
+  setups: ({ engines }) => bullets(engines.map(({ label, setup }) => `${label}: ${setup}`)),
+  frames: (report) => titled(frameTable(report)),
   targets: (report) => titled(targetTable(report)),
-  profiles: ({ profiles }) =>
-    profiles.length === 0
-      ? 'Nothing missed a target for time.'
-      : bullets(
-          profiles.map(
-            ({ what, functions }) =>
-              `${what}: ${functions.map(({ name, share }) => `\`${name}\` ${Math.round(100 * share)} %`).join(', ')}`,
-          ),
-        ),
   'not-run': ({ notRun }) =>
     notRun.length === 0
       ? 'Everything could be run.'

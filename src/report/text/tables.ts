@@ -1,6 +1,6 @@
-import { integrators } from '../../physics/index.ts'
-import { peers } from '../peers/index.ts'
-import type { Report, StepTime } from '../schema.ts'
+import { integrators, scenes } from '../../physics/index.ts'
+import { engines as physicsEngines } from '../engines/index.ts'
+import type { FrameTime, Report } from '../schema.ts'
 import { eachInMetres, metres, nanoseconds, plain, times } from './figures.ts'
 
 /** A table of the report: what README and the terminal show of it. */
@@ -11,12 +11,15 @@ export interface Table {
 }
 
 /** Errors of all engines, a column for each scene, at a slow and at the usual frame rate. */
-export function engineErrors({ contestants, peers }: Report, clocks = ['10 fps', '60 fps']): Table {
-  const { scenes, runs } = peers
+export function engineErrors(
+  { engines, engineTests }: Report,
+  clocks = ['10 fps', '60 fps'],
+): Table {
+  const { scenes, runs } = engineTests
   return {
     title: `Error at the end, at ${clocks.join(' and at ')}`,
     head: ['', ...scenes.map(({ label }) => label)],
-    rows: contestants
+    rows: engines
       .filter(({ id }) => runs.some(({ engine }) => engine === id))
       .map(({ id, label }) => [
         label,
@@ -35,9 +38,9 @@ export function engineErrors({ contestants, peers }: Report, clocks = ['10 fps',
 
 /** What a step of each engine costs, and the friction that it really has. */
 export function engineTimes(report: Report): Table {
-  const { times: rows, friction } = report.peers
+  const { times: rows, friction } = report.engineTests
   return {
-    title: 'A step with one block sliding down one ramp',
+    title: 'One block slides down one ramp: a call for each step',
     head: ['', 'time', 'quickest to slowest round', 'times ours', 'heap a step', 'μ seen for 0.5'],
     rows: rows.map(({ engine, step, ratio, bytes }) => {
       const seen = friction.find((row) => row.engine === engine)?.seen
@@ -80,27 +83,18 @@ function ahead(what: string, own: number | undefined, odex: number | undefined):
   return own <= odex ? `${what}: ours, ${times(odex / own)}` : `${what}: odex, ${times(own / odex)}`
 }
 
-/** Time of a step and how often the hand-written loop's, a row for each scene, a column for each method. */
-export function stepTable({ steps }: Report, kind: 'alone' | 'mixed', trial: string): Table {
-  const scenes = [...new Set(steps.map(({ scene }) => scene))]
-  const used = integrators.filter(({ id }) => steps.some(({ integrator }) => integrator === id))
-  const cell = (step: StepTime | undefined) => {
-    const time = step?.[kind]
-    const ratio = step?.ratios[kind]
-    return time && ratio ? `${nanoseconds(time.median)}, ${times(ratio)}` : '–'
-  }
+/** What a call of `run.frame` costs beside the handwritten loop, a row for each scene and method that has one. */
+export function frameTable({ frames }: Report): Table {
+  const cell = (time: FrameTime['mixed'], ratio: number | null) =>
+    time && ratio ? `${nanoseconds(time.median)}, ${times(ratio)}` : '–'
   return {
-    title: `A step of ours, ${kind}, and how often the hand-written loop’s`,
-    head: ['', ...used.map(({ label }) => label)],
-    rows: scenes.map((scene) => [
-      scene,
-      ...used.map(({ id }) =>
-        cell(
-          steps.find(
-            (step) => step.scene === scene && step.integrator === id && step.trial === trial,
-          ),
-        ),
-      ),
+    title: 'A call of run.frame for each step, and how often the handwritten loop’s time',
+    head: ['', 'handwritten loop', 'run.frame, alone', 'run.frame, after everything else'],
+    rows: frames.map(({ scene, integrator, handwritten, alone, mixed, ratios }) => [
+      `${labelIn(scenes, scene)}, ${labelIn(integrators, integrator)}`,
+      nanoseconds(handwritten.median),
+      cell(alone, ratios.alone),
+      cell(mixed, ratios.mixed),
     ]),
   }
 }
@@ -122,7 +116,7 @@ export function targetTable({ targets }: Report): Table {
 
 /** What is odd about single runs: a line for each engine and scene, the first odd run and under which clocks others are. */
 export function oddities(report: Report): string[] {
-  const { runs, scenes } = report.peers
+  const { runs, scenes } = report.engineTests
   const lines = new Map<string, string[]>()
   for (const { engine, scene, clock, note } of runs) {
     if (note === null) continue
@@ -138,14 +132,18 @@ export function oddities(report: Report): string[] {
 }
 
 /** When and on what. */
-export function measuredOn({ machine, contestants }: Report): string {
+export function measuredOn({ machine, engines }: Report): string {
   const { date, processor, cores, node, v8, rounds } = machine
-  const versions = contestants
-    .filter(({ id }) => id === 'odex' || peers.some((peer) => peer.id === id))
+  const versions = engines
+    .filter(({ id }) => id === 'odex' || physicsEngines.some((engine) => engine.id === id))
     .map(({ label, version }) => `${label} ${version}`)
   return `Measured on ${date.slice(0, 10)} on ${cores} cores of ${processor} with Node ${node} (V8 ${v8}); times are medians of ${rounds} rounds. ${versions.join(', ')}.`
 }
 
-function labelOf({ contestants }: Report, engine: string): string {
-  return contestants.find(({ id }) => id === engine)?.label ?? engine
+function labelOf({ engines }: Report, engine: string): string {
+  return labelIn(engines, engine)
+}
+
+function labelIn(list: readonly { id: string; label: string }[], id: string): string {
+  return list.find((each) => each.id === id)?.label ?? id
 }

@@ -4,33 +4,23 @@ import {
   cheapestWays,
   engineErrors,
   engineTimes,
+  frameTable,
   measuredOn,
   oddities,
-  stepTable,
   targetTable,
 } from './tables.ts'
 
 /** The whole report for somebody at a terminal. */
 export function terminalText(report: Report): string {
   const tables = [
-    stepTable(report, 'alone', 'moves'),
-    stepTable(report, 'alone', 'stops'),
-    stepTable(report, 'mixed', 'moves'),
-    stepTable(report, 'mixed', 'stops'),
     engineTimes(report),
-    ...report.peers.clocks.map((clock) => engineErrors(report, [clock])),
+    frameTable(report),
+    ...report.engineTests.clocks.map((clock) => engineErrors(report, [clock])),
     cheapestWays(report),
     targetTable(report),
   ]
   const lists = [
     ['Odd runs', oddities(report)],
-    [
-      'Where the time goes',
-      report.profiles.map(
-        ({ what, functions }) =>
-          `${what}: ${functions.map(({ name, share }) => `${name} ${Math.round(100 * share)} %`).join(', ')}`,
-      ),
-    ],
     ['Not run', report.notRun.map(({ what, why }) => `${what}: ${why}`)],
   ] as const
   return [

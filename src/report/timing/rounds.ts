@@ -20,16 +20,22 @@ export interface Care {
 let used = 0
 
 /**
- * The time of each work for a unit [ns], a number for each round. Rounds are interleaved, work after work, so that whatever
- * else the machine does hits all of them alike.
+ * The processor time of each work for a unit [ns], a number for each round. Rounds are interleaved, work after work, so that
+ * whatever else the machine does hits all of them alike.
  */
 export function timeRounds(works: readonly Work[], { rounds, atLeast, warming }: Care): number[][] {
   const times = works.map((): number[] => [])
   for (const work of works) timeOnce(work, warming)
   for (let round = 0; round < rounds; round++)
-    for (const [i, work] of works.entries()) times[i]!.push(timeOnce(work, atLeast))
+    for (const [i, work] of inTurn(works, round)) times[i]!.push(timeOnce(work, atLeast))
   if (Number.isNaN(used)) throw new Error('A work that was timed came to no number.')
   return times
+}
+
+/** Every other round runs backwards, so that no work always follows the same one. */
+function inTurn(works: readonly Work[], round: number): [number, Work][] {
+  const entries = [...works.entries()]
+  return round % 2 === 0 ? entries : entries.reverse()
 }
 
 function timeOnce(work: Work, atLeast: number): number {
@@ -37,9 +43,10 @@ function timeOnce(work: Work, atLeast: number): number {
   let runs = 0
   while (elapsed < atLeast) {
     work.prepare?.()
-    const start = performance.now()
+    const start = process.cpuUsage()
     used += work.run()
-    elapsed += performance.now() - start
+    const { user, system } = process.cpuUsage(start)
+    elapsed += (user + system) / 1000
     runs++
   }
   return (elapsed * 1e6) / (runs * work.units)

@@ -1,3 +1,5 @@
+import { frameRateSpread, spreadOf, withoutRounding } from '../../measure/index.ts'
+import type { Spread } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
 
@@ -19,4 +21,13 @@ export function end(experiment: Experiment): number {
 
 export function at(fps: number, experiment: Experiment): Experiment {
   return { ...experiment, frames: { kind: 'steady', fps } }
+}
+
+/** How far apart runs of an experiment end, at those frame rates or at all that the spread is measured at [m]. */
+export function apart(experiment: Experiment, rates?: readonly number[]): number {
+  const spread: Spread = rates
+    ? spreadOf(rates.map((fps) => simulate(at(fps, experiment))))
+    : frameRateSpread(experiment)
+  if (!spread.agree) throw new Error('The text tells of a distance, and the outcomes differ.')
+  return withoutRounding(spread.distance, spread.scale)
 }

@@ -1,3 +1,4 @@
+import { withoutRounding } from '../../measure/index.ts'
 import { forcesAt, length } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
 import { fixed, metres } from '../../chart/numbers.ts'
@@ -19,5 +20,9 @@ export const forcesOnASlope = {
   weight: { value: () => length(forces(30).gravity), show: newtons },
   normal30: { value: () => length(forces(30).normal), show: newtons },
   normal60: { value: () => length(forces(60).normal), show: newtons },
-  massApart: { value: () => Math.abs(end(heavy(50)) - end(heavy(1))), show: metres },
+  massApart: {
+    // The way is some metres long.
+    value: () => withoutRounding(Math.abs(end(heavy(50)) - end(heavy(1))), 1),
+    show: metres,
+  },
 } as const satisfies Facts

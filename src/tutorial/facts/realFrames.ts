@@ -23,6 +23,6 @@ export const realFrames = {
   hitchVariable: { value: () => offAfter({ kind: 'variable' }), show: metres },
   hitchSubsteps: { value: () => offAfter({ kind: 'substeps', step }), show: metres },
   hitchLost: { value: () => hit({ kind: 'capped', cap: 0.05 }).lostTime, show: seconds },
-  fixedSpread: { value: () => frameRateSpread(fixed), show: exactly(metres) },
+  fixedSpread: { value: () => frameRateSpread(fixed).distance, show: exactly(metres) },
   fixedShort: { value: () => trajectoryErrors(simulate(fixed)).atEnd, show: metres },
 } as const satisfies Facts

@@ -1,7 +1,6 @@
 import { simulate } from '../../physics/index.ts'
-import { frameRateSpread, spreadOf } from '../../measure/index.ts'
 import { count, metres, place } from '../../chart/numbers.ts'
-import { at, end, kick, paperStep, takeHome } from './experiments.ts'
+import { apart, at, end, kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'
 
 /** The block that does not rest, from two seconds after the kick to three, at 60 fps. */
@@ -25,17 +24,17 @@ export const stopping = {
   clamped30: { value: () => clamped(30), show: place },
   clamped120: { value: () => clamped(120), show: place },
   clampedThreeSpread: {
-    value: () => spreadOf([10, 30, 120].map(clamped)),
+    value: () => apart({ ...kick, ...paperStep }, [10, 30, 120]),
     show: metres,
   },
   clampedVerletSpread: {
-    value: () => frameRateSpread({ ...kick, ...takeHome, stopping: 'clamped' }),
+    value: () => apart({ ...kick, ...takeHome, stopping: 'clamped' }),
     show: metres,
   },
-  clampedEulerSpread: { value: () => frameRateSpread({ ...kick, ...paperStep }), show: metres },
-  locatedVerletSpread: { value: () => frameRateSpread({ ...kick, ...takeHome }), show: metres },
+  clampedEulerSpread: { value: () => apart({ ...kick, ...paperStep }), show: metres },
+  locatedVerletSpread: { value: () => apart({ ...kick, ...takeHome }), show: metres },
   locatedEulerSpread: {
-    value: () => frameRateSpread({ ...kick, ...paperStep, stopping: 'located' }),
+    value: () => apart({ ...kick, ...paperStep, stopping: 'located' }),
     show: metres,
   },
 } as const satisfies Facts

@@ -1,8 +1,8 @@
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
-import { frameRateSpread, trajectoryErrors } from '../../measure/index.ts'
+import { trajectoryErrors } from '../../measure/index.ts'
 import { fixed, metres, plain } from '../../chart/numbers.ts'
-import { kick, paperStep, takeHome } from './experiments.ts'
+import { apart, kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'
 
 const bend: Experiment = {
@@ -34,11 +34,11 @@ function evaluationsAStep(experiment: Experiment): number {
 
 /** The figures of the table. */
 export const whatToUse = {
-  tableFall: { value: () => frameRateSpread({ scene: 'fall', ...takeHome }), show: metres },
-  tableFallEuler: { value: () => frameRateSpread({ scene: 'fall', ...paperStep }), show: metres },
-  tableRamp: { value: () => frameRateSpread({ ...kick, ...takeHome }), show: metres },
-  tableRampEuler: { value: () => frameRateSpread({ ...kick, ...paperStep }), show: metres },
-  tableBend: { value: () => frameRateSpread(bend), show: metres },
+  tableFall: { value: () => apart({ scene: 'fall', ...takeHome }), show: metres },
+  tableFallEuler: { value: () => apart({ scene: 'fall', ...paperStep }), show: metres },
+  tableRamp: { value: () => apart({ ...kick, ...takeHome }), show: metres },
+  tableRampEuler: { value: () => apart({ ...kick, ...paperStep }), show: metres },
+  tableBend: { value: () => apart(bend), show: metres },
   tableBendError: { value: () => largest(bend), show: metres },
   tableStiff: { value: () => STIFF, show: plain },
   tableStiffCost: { value: () => evaluationsAStep(stiff), show: (value) => fixed(value, 0) },

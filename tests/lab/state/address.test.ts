@@ -34,6 +34,24 @@ test('it can be read', () => {
   )
 })
 
+test.each([
+  // The opening has μs = μk = 0.5: the one that is not named follows.
+  ['muKinetic=0.8', { muStatic: 0.8, muKinetic: 0.8 }],
+  ['muStatic=0.2', { muStatic: 0.2, muKinetic: 0.2 }],
+  ['muKinetic=0.3', { muStatic: 0.5, muKinetic: 0.3 }],
+  ['scene=half-pipe&muKinetic=0.1', { muStatic: 0.1, muKinetic: 0.1 }],
+])('%s names one friction, and the other follows it', (address, parameters) => {
+  const state = readAddress(address)
+  expect(state.parameters).toMatchObject(parameters)
+  expect(readAddress(writeAddress(state))).toEqual(state)
+})
+
+test('static friction below kinetic, both named, is refused', () => {
+  expect(() => readAddress('muStatic=0.1&muKinetic=0.2')).toThrow(
+    /^parameters.muStatic: 0.1 is less than muKinetic, 0.2;/,
+  )
+})
+
 test('the ids of all lists are different: a word tells which list it is of', () => {
   const ids = [frameClocks, timesteps, integrators, stoppings].flatMap((list) =>
     list.map(({ id }) => id as string),

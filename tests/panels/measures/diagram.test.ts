@@ -123,7 +123,7 @@ describe('the words', () => {
     [1.234e-6, '1.2\u2009µm', '1.23\u2009µm'],
     [4.562e-8, '46\u2009nm', '45.6\u2009nm'],
     [3.04e-11, '0.03\u2009nm', '0.0304\u2009nm'],
-    [9e-12, '0 (to rounding)', '0 (to rounding)'],
+    [3.04e-13, '0.0003\u2009nm', '0.000304\u2009nm'],
     [0, '0 (to rounding)', '0 (to rounding)'],
   ])('a size of %d m', (value, rough, whole) => {
     expect(roughSize(value)).toBe(rough)

@@ -37,7 +37,7 @@ test('the map in words', () => {
   expect(words).toMatch(/^Of all runs, .*leaves the track, .*can’t be run\.$/)
   expect(placeText(request, 0, 0)).toBe('5.42 fps, radius 0.625\u2009m')
   expect(cellWords(cells.cell(0, 0), request)).toContain('can’t be run')
-  const exact = { kind: 'measured', value: 1e-15 } as const
+  const exact = { kind: 'measured', value: 0 } as const
   expect(cellWords(exact, request)).toBe('is exact to rounding')
   expect(cellWords({ ...exact, value: 0.1234 }, { ...request, of: 'spread' })).toBe(
     'ends 0.12\u2009m from where it does at 60 fps',

@@ -40,12 +40,13 @@ describe('what is plotted is what was simulated, number for number', () => {
     }
   })
 
-  test('error, at least the floor', () => {
+  test('error, but for rounding', () => {
     for (const { trajectory } of lab.visible) {
       const values = kind('error').of.values(trajectory)
       const errors = presentationErrors(trajectory).each.map(Math.abs)
-      expect(values[0]).toBe(1e-16)
-      expect([...values]).toEqual([...errors.map((error) => Math.max(1e-16, error))])
+      // The path is below two metres.
+      expect(values[0]).toBe(0)
+      expect([...values]).toEqual([...errors.map((error) => (error < 2e-11 ? 0 : error))])
     }
   })
 
@@ -155,7 +156,7 @@ test('errors that are rounding are called so', () => {
   expect(texts).toEqual(['rounding', 'rounding', 'rounding'])
   const { up } = drawingOf(kind('error'), lab, 400, 200)
   expect(up.ticks(6)[0]!.label).toBe('rounding')
-  expect(up.at(1e-16)).toBe(up.ticks(6)[0]!.at)
+  expect(up.at(0)).toBe(up.ticks(6)[0]!.at)
   expect(up.at(0.001)).toBe(-3)
 })
 
@@ -164,7 +165,7 @@ test.each([
   [0.00554, '5.54\u2009mm'],
   [3.14e-6, '3.14\u2009µm'],
   [6.8e-11, '68\u2009pm'],
-  [4e-15, 'rounding'],
+  [0, 'rounding'],
   [12345, '12345\u2009m'],
 ])('an error of %d m', (value, text) => expect(kind('error').of.text(value)).toBe(text))
 

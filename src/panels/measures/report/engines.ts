@@ -1,16 +1,17 @@
 import { html } from 'lit'
-import type { PeerRun, Report } from '../../../report/schema.ts'
-import { metres, plain, raw } from '../../../chart/numbers.ts'
+import type { EngineRun, Report } from '../../../report/schema.ts'
+import { withoutRounding } from '../../../measure/index.ts'
+import { plain, raw, roughMetres } from '../../../chart/numbers.ts'
 import { menu } from '../../../ui/menu.ts'
-import { time } from './stepTimes.ts'
+import { time } from './frameTimes.ts'
 
 /** What a time step of an engine costs with one block on one ramp. */
-export function engineTimes({ peers, contestants }: Report) {
+export function engineTimes({ engineTests, engines }: Report) {
   return html`<div class="scroll" tabindex="0" role="region" aria-label="Engines, time, table">
     <table>
       <caption>
-        One block sliding down one ramp: time of a step. Engines also turn, collide and stack; this
-        project does only what the scene needs
+        One block slides down one ramp: time of a step, a call for each. Engines also turn, collide
+        and stack; this project does only what the scene needs
       </caption>
       <thead>
         <tr>
@@ -21,8 +22,8 @@ export function engineTimes({ peers, contestants }: Report) {
         </tr>
       </thead>
       <tbody>
-        ${peers.times.map(({ engine, step, ratio }) => {
-          const who = contestants.find(({ id }) => id === engine)
+        ${engineTests.times.map(({ engine, step, ratio }) => {
+          const who = engines.find(({ id }) => id === engine)
           return html`<tr>
             <th scope="row">${who?.label ?? engine}<small>${who?.version ?? ''}</small></th>
             ${time(step.median)}
@@ -42,12 +43,12 @@ function withCode(text: string) {
 
 /** How far each engine ends from the truth, under a clock of the reader's choice. */
 export function engineErrors(
-  { peers, contestants }: Report,
+  { engineTests, engines }: Report,
   clock: string,
   choose: (clock: string) => void,
 ) {
-  const engines = [...new Set(peers.runs.map(({ engine }) => engine))]
-  const list = peers.clocks.map((id) => ({ id, label: id, about: `Frames: ${id}` }))
+  const tested = [...new Set(engineTests.runs.map(({ engine }) => engine))]
+  const list = engineTests.clocks.map((id) => ({ id, label: id, about: `Frames: ${id}` }))
   return html`<label class="choose">
       Errors at
       ${menu({
@@ -68,19 +69,19 @@ export function engineErrors(
         <thead>
           <tr>
             <th scope="col">Engine</th>
-            ${peers.scenes.map(
+            ${engineTests.scenes.map(
               ({ label, about }) => html`<th scope="col">${label}<small>${about}</small></th>`,
             )}
           </tr>
         </thead>
         <tbody>
-          ${engines.map(
+          ${tested.map(
             (engine) =>
               html`<tr>
-                <th scope="row">${contestants.find(({ id }) => id === engine)?.label ?? engine}</th>
-                ${peers.scenes.map(({ id }) =>
+                <th scope="row">${engines.find(({ id }) => id === engine)?.label ?? engine}</th>
+                ${engineTests.scenes.map(({ id }) =>
                   cell(
-                    peers.runs.find(
+                    engineTests.runs.find(
                       (run) => run.engine === engine && run.scene === id && run.clock === clock,
                     ),
                   ),
@@ -92,11 +93,11 @@ export function engineErrors(
     </div>`
 }
 
-function cell(run: PeerRun | undefined) {
+function cell(run: EngineRun | undefined) {
   if (!run) return html`<td>–</td>`
   const { error, note } = run
   return html`<td title=${error === null ? '' : `${raw(error)} m`}>
-    ${error === null ? 'no number any more' : metres(Number(error.toPrecision(2)))}
+    ${error === null ? 'no number any more' : roughMetres(withoutRounding(error, 1))}
     ${note ? html`<small>${note}</small>` : ''}
   </td>`
 }

@@ -3,7 +3,7 @@ import type { Report } from '../../../report/schema.ts'
 import { plain } from '../../../chart/numbers.ts'
 import { engineErrors, engineTimes } from './engines.ts'
 import { fetchReport } from './fetchReport.ts'
-import { stepTimes } from './stepTimes.ts'
+import { frameTimes } from './frameTimes.ts'
 
 /** What the report says that comes with the page, fetched when it is unfolded. */
 class MeasuredReport extends LitElement {
@@ -32,7 +32,7 @@ class MeasuredReport extends LitElement {
   override render() {
     const { report, problem } = this
     return html`<details class="measured" @toggle=${this.toggled}>
-      <summary>What we measured: this project beside a bare loop and physics engines</summary>
+      <summary>What we measured: this project beside physics engines and handwritten loops</summary>
       ${problem ? html`<p role="alert">${problem}</p>` : nothing}
       ${report ? this.content(report) : nothing}
       ${!report && !problem && this.asked ? html`<p class="soft">Loading …</p>` : nothing}
@@ -40,8 +40,8 @@ class MeasuredReport extends LitElement {
   }
 
   private content(report: Report) {
-    return html`${machineLine(report)} ${stepTimes(report)} ${engineTimes(report)}
-    ${engineErrors(report, this.clock || report.peers.clocks[0]!, (clock) => (this.clock = clock))}
+    return html`${machineLine(report)} ${engineTimes(report)} ${frameTimes(report)}
+    ${engineErrors(report, this.clock || report.engineTests.clocks[0]!, (clock) => (this.clock = clock))}
     ${aims(report)}
     ${
       report.notRun.length > 0
@@ -80,50 +80,36 @@ function machineLine({ machine }: Report) {
   </p>`
 }
 
-/** What the project asks of itself, met or not, and where the time goes of what took too long. */
-function aims({ targets, profiles }: Report) {
+/** What the project asks of itself, met or not. */
+function aims({ targets }: Report) {
   return html`<div class="scroll" tabindex="0" role="region" aria-label="Targets, table">
-      <table>
-        <caption>
-          What this project asks of itself
-        </caption>
-        <thead>
-          <tr>
-            <th scope="col">Target</th>
-            <th scope="col">Asked for</th>
-            <th scope="col">Measured</th>
-            <th scope="col">Result</th>
-            <th scope="col" class="prose">Where</th>
-          </tr>
-        </thead>
-        <tbody>
-          ${targets.map(
-            ({ label, sense, limit, figure, met, from }) =>
-              html`<tr>
-                <th scope="row">${label}</th>
-                <td>${sense} ${plain(limit)}</td>
-                <td>${plain(figure)}</td>
-                <td>${met ? 'met' : 'missed'}</td>
-                <td class="prose">${from}</td>
-              </tr>`,
-          )}
-        </tbody>
-      </table>
-    </div>
-    ${
-      profiles.length > 0
-        ? html`<p>Where the time goes of what missed the most:</p>
-            <ul>
-              ${profiles.map(
-                ({ what, functions }) =>
-                  html`<li>
-                    ${what}:
-                    ${functions.map(({ name, share }) => `${name} ${Math.round(100 * share)}\u2009%`).join(', ')}
-                  </li>`,
-              )}
-            </ul>`
-        : ''
-    }`
+    <table>
+      <caption>
+        What this project asks of itself
+      </caption>
+      <thead>
+        <tr>
+          <th scope="col">Target</th>
+          <th scope="col">Asked for</th>
+          <th scope="col">Measured</th>
+          <th scope="col">Result</th>
+          <th scope="col" class="prose">Where</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${targets.map(
+          ({ label, sense, limit, figure, met, from }) =>
+            html`<tr>
+              <th scope="row">${label}</th>
+              <td>${sense} ${plain(limit)}</td>
+              <td>${plain(figure)}</td>
+              <td>${met ? 'met' : 'missed'}</td>
+              <td class="prose">${from}</td>
+            </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`
 }
 
 customElements.define('measured-report', MeasuredReport)

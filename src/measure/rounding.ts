@@ -1,0 +1,50 @@
+import { exactMotion, scenes } from '../physics/index.ts'
+import type { ResolvedExperiment, Scene } from '../physics/index.ts'
+
+/** What the differences in a run are measured against. */
+export interface Scale {
+  /** The length of the true path, |s| at its largest, and a metre at least [m]. */
+  readonly length: number
+  /** The largest kinetic energy plus potential energy, in size [J]. */
+  readonly energy: number
+}
+
+// The exact motion promises 1e-11 of |s|, and 1e-11 m within the first metre: no smaller error can be told from its own.
+const PART = 1e-11
+
+/** A difference, or 0 where it is an accident of rounding: smaller than 1e-11 of the scale. */
+export function withoutRounding(difference: number, scale: number): number {
+  return Math.abs(difference) < PART * scale ? 0 : difference
+}
+
+/** The smallest difference that is more than rounding. */
+export function leastDifference(scale: number): number {
+  return PART * scale
+}
+
+const SAMPLES = 64
+const known = new WeakMap<object, Scale>()
+
+/** The scale of an experiment, from the true motion: a run that goes astray does not excuse its own errors. */
+export function scaleOf(experiment: ResolvedExperiment): Scale {
+  let scale = known.get(experiment)
+  if (!scale) known.set(experiment, (scale = find(experiment)))
+  return scale
+}
+
+function find(experiment: ResolvedExperiment): Scale {
+  const { parameters, duration } = experiment
+  const scene: Scene = scenes.find(({ id }) => id === experiment.scene)!
+  const motion = exactMotion(experiment)
+  const truth = { s: 0, v: 0 }
+  let length = 1
+  let energy = 0
+  for (let i = 0; i <= SAMPLES; i++) {
+    const { s, v } = motion((duration * i) / SAMPLES, truth)
+    // Where the truth is not known, both are NaN, and larger than nothing.
+    if (Math.abs(s) > length) length = Math.abs(s)
+    const sum = parameters.mass! * (0.5 * v * v + Math.abs(scene.potential(parameters, s)))
+    if (sum > energy) energy = sum
+  }
+  return { length, energy }
+}

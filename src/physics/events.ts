@@ -1,0 +1,161 @@
+import type { Integrator } from './integrator.ts'
+import { FAR } from './law.ts'
+import type { Motion } from './motion.ts'
+
+/** What ends a step early: the block turns (v = 0), or comes to the end of its piece of track. */
+type Event = 'turn' | 'joint'
+
+const MOST_HALVINGS = 60
+const MOST_ITERATIONS = 100
+// What rounding may leave of a residual whose terms have a size of one: the few hundred operations of a step each add an ulp.
+const ROUNDING = 1000 * Number.EPSILON
+
+// A block that turns no farther beyond a joint than the rounding of its place turns at the joint.
+const TOUCH = 16 * Number.EPSILON
+
+/**
+ * Takes a step of `motion.dt`, or one that is shortened to end at the first event inside: at v = 0 exactly, or at the
+ * joint exactly. Leaves in `motion.dt` how long it was. Where no such step can be found the motion ends as diverged.
+ */
+// #region event
+export function stepToEvent(motion: Motion, integrator: Integrator): void {
+  // No step is so long that the law is another at its end (a bend turns by two radians), nor that it holds two turns.
+  const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
+  if (changes > 1) motion.dt /= Math.ceil(2 * changes)
+  integrator.step(motion)
+  const turned = hasTurned(motion) && (motion.law.turnMatters || mayReachEnd(motion))
+  if (turned || isOutside(motion)) shortenToEvent(motion, integrator)
+}
+// #endregion
+
+function hasTurned({ v, slip }: Motion): boolean {
+  return slip > 0 ? v < 0 : v > 0
+}
+
+function isOutside({ s, from, to }: Motion): boolean {
+  return s > to || s < from
+}
+
+/** Ends a step that an event lies in at the first event; where it can't be trusted, the step is halved instead. */
+function shortenToEvent(motion: Motion, integrator: Integrator): void {
+  // Too far off for any real motion: it has diverged.
+  if (Math.abs(motion.s) >= FAR) return
+  for (let i = 0; !isPlausible(motion); i++) {
+    if (i === MOST_HALVINGS) return motion.end('diverged')
+    retake(motion, integrator, 0.5 * motion.dt)
+  }
+  const { dt, slip, law } = motion
+  const end = slip > 0 ? motion.to : motion.from
+  const outside = isOutside(motion)
+  if (hasTurned(motion) && (law.turnMatters || outside || mayReachEnd(motion))) {
+    if (!locate('turn', motion, integrator)) return motion.end('diverged')
+    const ahead = residual('joint', motion)
+    if (ahead >= -TOUCH * Math.abs(end)) {
+      // Where neither friction nor an end makes it matter, a turn is part of a step like any other.
+      if (!law.turnMatters && !outside) return retake(motion, integrator, dt)
+      motion.stop()
+      if (ahead < 0) motion.s = end
+      return
+    }
+  }
+  // Of a turn and a joint the joint comes first: before a turn the block slides one way.
+  if (residual('joint', motion) >= 0) return
+  if (!locate('joint', motion, integrator)) return motion.end('diverged')
+  motion.s = end
+}
+
+/** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m]. */
+function residual(event: Event, { s, v, slip, from, to }: Motion): number {
+  if (event === 'turn') return slip * v
+  return slip > 0 ? to - s : s - from
+}
+
+/** Takes the step again, now of `dt` seconds. */
+function retake(motion: Motion, integrator: Integrator, dt: number): void {
+  motion.rewind()
+  motion.dt = dt
+  integrator.step(motion)
+}
+
+/** Whether a trial ended no faster and no farther than its start can pay for, twice over: not a step that went wild. */
+function isPlausible(motion: Motion): boolean {
+  const { s, v, dt, slip, startS, tangential, curvature, law } = motion
+  if (curvature === 0 && law.stiffness === 0 && law.drag === 0) return true
+  // Air brakes a block that gravity pulls on, but does not turn it.
+  if (law.drag > 0 && hasTurned(motion) && slip * tangential > 0) return false
+  const most = 2 * fastest(motion)
+  return Math.abs(v) <= most && Math.abs(s - startS) <= most * dt
+}
+
+/** The speed that the energy at the start of the step and the forces in it can give at the most [m/s]. */
+function fastest({ startS, startV, dt, tangential, weight, law }: Motion) {
+  const { stiffness } = law
+  if (stiffness === 0) return Math.abs(startV) + law.gravity * dt
+  // The amplitude of the swing, by the distance from where spring, gravity and friction balance.
+  const force = Math.abs(tangential - stiffness * startS) + law.muKinetic * weight
+  return Math.abs(startV) + force / Math.sqrt(stiffness)
+}
+
+/** Whether a block that nothing resists may have been over the end of its piece before it turned. */
+function mayReachEnd(motion: Motion): boolean {
+  const { startS, dt, slip, from, to } = motion
+  return (slip > 0 ? to - startS : startS - from) <= fastest(motion) * dt
+}
+
+/**
+ * Shortens a step that went past an event so that it ends there: finds the length for which the integrator's own step
+ * from the same start ends at the event to rounding. Returns whether it has found a root.
+ *
+ * Regula falsi in the form of Anderson and Björck (1973), which keeps the root bracketed, with a bisection now and then
+ * so that the bracket is sure to close. Its tolerance comes from the state at the start alone.
+ */
+function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
+  let late = motion.dt
+  let after = residual(event, motion)
+  motion.rewind()
+  let early = 0
+  let before = residual(event, motion)
+  const size = event === 'turn' ? 0 : Math.abs(motion.slip > 0 ? motion.to : motion.from)
+  const small = Number.EPSILON * Math.max(size, before)
+  const limit = ROUNDING * Math.max(size, before, event === 'turn' ? fastest(motion) : 0)
+  // A block that has just set off is at v = 0 to begin with: the turn is the one after that.
+  for (let i = 0; before <= 0; i++) {
+    if (i === MOST_HALVINGS) return false
+    retake(motion, integrator, 0.5 * late)
+    const here = residual(event, motion)
+    if (here > 0) {
+      early = motion.dt
+      before = here
+    } else {
+      late = motion.dt
+      after = here
+    }
+  }
+  let lastSide = 0
+  for (let i = 1; i <= MOST_ITERATIONS; i++) {
+    let length = early + ((late - early) * before) / (before - after)
+    if (i % 8 === 0 || !(length > early && length < late)) length = early + 0.5 * (late - early)
+    retake(motion, integrator, length)
+    const here = residual(event, motion)
+    if (Math.abs(here) <= small) return true
+    if (late - early <= Number.EPSILON * late) return Math.abs(here) <= limit
+    // The end that stays while the other moves twice is given less weight, so that it moves next.
+    if (here > 0) {
+      if (lastSide > 0) after *= lessWeight(here, before)
+      early = length
+      before = here
+      lastSide = 1
+    } else {
+      if (lastSide < 0) before *= lessWeight(here, after)
+      late = length
+      after = here
+      lastSide = -1
+    }
+  }
+  return Math.abs(residual(event, motion)) <= limit
+}
+
+function lessWeight(here: number, before: number): number {
+  const factor = 1 - here / before
+  return factor > 0 ? factor : 0.5
+}

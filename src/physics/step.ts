@@ -1,0 +1,52 @@
+import { addHeat } from './heat.ts'
+import type { Integrator } from './integrator.ts'
+import { FAR } from './law.ts'
+import type { Motion } from './motion.ts'
+import type { StoppingRule } from './stoppingRule.ts'
+
+// Of one step, between stops, joints and shortened steps. A real motion has a handful, an oscillation that is far too fast
+// for the step some hundreds; a run that needs more has lost its way.
+const MOST_PARTS = 10_000
+
+/**
+ * Moves on by `motion.dt` seconds: in one step of the integrator or, where the stopping rule ends a step early, in several.
+ * Nothing else moves a block.
+ */
+// #region advance
+export function advance(motion: Motion, integrator: Integrator, rule: StoppingRule): void {
+  const whole = motion.dt
+  let left = whole
+  motion.elapsed = 0
+  for (let parts = 0; left > 0 && motion.moving; parts++) {
+    if (parts === MOST_PARTS) return motion.end('diverged')
+    if (motion.v === 0 && rule.holdsSlip && !motion.setsOff()) break
+    motion.begin()
+    rule.step(motion, integrator)
+    motion.elapsed = motion.dt === left ? whole : motion.elapsed + motion.dt
+    if (motion.moving) accept(motion)
+    left = whole - motion.elapsed
+    motion.dt = left
+  }
+  motion.dt = whole
+}
+// #endregion
+
+/** Accepts the step from the beginning noted to the present state, and moves on to the next piece of track. */
+function accept(motion: Motion): void {
+  const { s, v, slip } = motion
+  const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.law.speedLimit
+  if (!isOnPiece && isLost(motion)) return
+  addHeat(motion)
+  if (slip > 0 ? v < 0 : v > 0) motion.slide(v > 0 ? 1 : -1)
+  if (!isOnPiece && !motion.enterPiece()) motion.end('left-the-track')
+}
+
+/** Ends a motion that has got farther or faster than any real one. */
+function isLost(motion: Motion): boolean {
+  const { s, v } = motion
+  if (Math.abs(s) < FAR && Math.abs(v) <= motion.law.speedLimit) return false
+  motion.end('diverged')
+  // A trajectory holds nothing but finite numbers.
+  if (!(Math.abs(s) + Math.abs(v) < Infinity)) motion.rewind()
+  return true
+}

@@ -1,0 +1,78 @@
+import { limits } from './experiment.ts'
+import type { ResolvedExperiment } from './experiment.ts'
+import type { FrameClock } from './frameClock.ts'
+import { frameClocks } from './frames/index.ts'
+import type { Integrator } from './integrator.ts'
+import { integrators } from './integrators/index.ts'
+import { entry } from './lists.ts'
+import type { Problem } from './problems.ts'
+import type { Parameters } from './state.ts'
+import type { TimestepPolicy } from './timestepPolicy.ts'
+import { timesteps } from './timesteps/index.ts'
+import { sinCosDegrees } from './trigonometry.ts'
+
+/** Trial steps that locating one event takes: regula falsi on a smooth residual needs 5 to 10. */
+const TRIALS = 8
+
+/**
+ * Why a run would take too long: in frames, in steps and, of an experiment in which nothing else is wrong, in evaluations
+ * of the acceleration.
+ */
+export function workProblems(experiment: ResolvedExperiment, whole: boolean): Problem[] {
+  const { duration, frames, timestep, integrator, stopping, parameters } = experiment
+  const problems: Problem[] = []
+  const clock: FrameClock = entry(frameClocks, frames.kind)
+  const policy: TimestepPolicy = entry(timesteps, timestep.kind)
+  const frameCount = clock.frames(frames as never, duration)
+  if (frameCount > limits.frames)
+    problems.push({
+      path: 'duration',
+      message: `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
+    })
+  const steps = policy.steps(timestep as never, duration, frameCount)
+  if (steps > limits.steps)
+    problems.push({
+      path: 'timestep.step',
+      message: `asks for ${count(steps)} steps, more than ${count(limits.steps)}; lengthen the step or shorten the duration`,
+    })
+  if (!whole || problems.length > 0) return problems
+  const { least, most }: Integrator['evaluations'] = entry(integrators, integrator).evaluations
+  const located = stopping === 'located' ? reversals(parameters, duration) : 0
+  // Between the fewest and the most that a step takes lies what it typically takes: for implicit midpoint 6 of 1 to 40.
+  const evaluations = (steps + TRIALS * located) * Math.sqrt(least * most)
+  if (evaluations > limits.evaluations)
+    problems.push({
+      path: 'duration',
+      message: `${duration} s asks for about ${count(Number(evaluations.toPrecision(2)))} evaluations of the acceleration, more than ${count(limits.evaluations)}, to locate up to ${count(Number(located.toPrecision(2)))} reversals; shorten it, slow the oscillation or choose another stopping rule`,
+    })
+  return problems
+}
+
+/**
+ * How often a block that oscillates reverses, at the most, where the stopping rule locates that: half-swings last π/ω or
+ * longer, and friction ends them. Elsewhere a block reverses once or twice, which costs nothing.
+ */
+function reversals(parameters: Parameters, duration: number): number {
+  const { gravity = 0, mass = 1, angle = 0, radius, stiffness = 0 } = parameters
+  const { position = 0, speed = 0, muStatic = 0, muKinetic = 0 } = parameters
+  // The energy that friction takes in a half-swing of a pipe, from θ₁ ≤ ½π to −θ₂, gives tan ½(θ₁ − θ₂) ≥ μk, and
+  // atan μk ≥ μk/(1 + μk).
+  if (radius !== undefined)
+    return Math.min(
+      (Math.sqrt(gravity / radius) * duration) / Math.PI,
+      ((Math.PI / 4) * (1 + muKinetic)) / muKinetic + 1,
+    )
+  if (muStatic === 0) return 0
+  const { sin, cos } = sinCosDegrees(angle)
+  const omega = Math.sqrt(stiffness / mass)
+  // The drive where a spring's half-swing ends, which friction lessens by 2 μk press from one end to the next.
+  const drive = Math.abs(omega * omega * position - gravity * sin) + Math.abs(omega * speed)
+  const lessened = 2 * muKinetic * gravity * cos
+  return Math.min((omega * duration) / Math.PI, lessened > 0 ? drive / lessened + 1 : Infinity)
+}
+
+function count(x: number): string {
+  return Math.round(x)
+    .toString()
+    .replace(/\B(?=(\d{3})+$)/g, '\u202f')
+}

@@ -1,0 +1,49 @@
+/** The slope that a block lies on, in SI units; the angle in degrees below the horizontal. */
+export interface Slope {
+  readonly angle: number
+  /** The coefficient that the two bodies' friction must combine to, exactly. */
+  readonly friction: number
+  readonly gravity: number
+}
+
+/** A block of an engine on a slope of that engine. Distances in m along the slope, downhill positive. */
+export interface Block {
+  /** Sets gravity: `along` the slope and `into` it [m/s²]. */
+  pull(along: number, into: number): void
+  /** Gives the block a velocity along the slope and none across it [m/s]. */
+  push(speed: number): void
+  /** Takes one time step of that many seconds. */
+  step(dt: number): void
+  /** Where the block's centre is, along the slope and above it [m]. */
+  along(): number
+  above(): number
+  /** Velocity along the slope [m/s]. */
+  speed(): number
+  /** The coefficient of friction that the engine made of the two bodies' own; NaN where it does not say. */
+  friction(): number
+  /** Gives back what the engine does not collect on its own. */
+  free(): void
+}
+
+/** A rigid-body engine, and how it is asked for one block on one slope. */
+export interface Engine {
+  readonly id: string
+  /** Its npm package. */
+  readonly package: string
+  /** Units, friction, sleeping: what a reader must know to judge the figures. */
+  readonly setup: string
+  /** Loads the engine and returns what makes blocks. */
+  load(): Promise<(slope: Slope) => Block>
+}
+
+/** Half the edge of the block, of 1 kg [m]. */
+export const halfBlock = 0.5
+
+/** Half the slope's length and thickness [m]; long enough for every scene. */
+export const slopeSize = { halfLength: 120, halfThickness: 1 } as const
+
+/** Directions of a slope in a frame with x to the right and y upwards: downhill, and out of it. */
+export function directions(angle: number): { sin: number; cos: number } {
+  const radians = (angle * Math.PI) / 180
+  return { sin: Math.sin(radians), cos: Math.cos(radians) }
+}

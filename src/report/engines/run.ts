@@ -1,0 +1,83 @@
+import { simulate } from '../../physics/index.ts'
+import type { Experiment, FramesChoice } from '../../physics/index.ts'
+import type { EngineRun, EngineScene } from '../schema.ts'
+import type { Block, Slope } from './engine.ts'
+import { notes } from './notes.ts'
+import { settled } from './settle.ts'
+
+type Outcome = Omit<EngineRun, 'engine' | 'scene' | 'clock'>
+
+/** Runs an engine's block through a scene, a step a frame, as a game would. */
+export function runEngine(
+  make: (slope: Slope) => Block,
+  scene: EngineScene,
+  frames: FramesChoice,
+): Outcome {
+  const { angle, muKinetic, gravity, speed } = scene.parameters
+  const block = settled(make, { angle: angle!, friction: muKinetic!, gravity: gravity! })
+  const start = block.along()
+  const gap = block.above()
+  if (speed !== 0) block.push(speed!)
+  const run = (duration: number) => {
+    for (const frame of durations(frames, duration)) block.step(frame)
+    return block.along() - start
+  }
+  // The last tenth apart, to see whether it still moves.
+  const late = run(0.9 * scene.duration)
+  const position = run(0.1 * scene.duration)
+  const lifted = block.above() - gap
+  const { watchedUntil } = scene
+  const later = watchedUntil === null ? null : run(watchedUntil - scene.duration)
+  block.free()
+  return outcome(scene, { position, late, lifted, later })
+}
+
+/** The same with our own step. */
+export function runOurs(
+  method: Partial<Experiment>,
+  scene: EngineScene,
+  frames: FramesChoice,
+): Outcome {
+  const at = (duration: number) => {
+    const { s } = simulate({
+      scene: 'ramp',
+      parameters: scene.parameters,
+      frames,
+      duration,
+      ...method,
+    })
+    return s[s.length - 1]!
+  }
+  const { watchedUntil, duration } = scene
+  return outcome(scene, {
+    position: at(duration),
+    late: at(0.9 * duration),
+    lifted: 0,
+    later: watchedUntil === null ? null : at(watchedUntil),
+  })
+}
+
+/** What was seen of a run: positions [m] at the end, at nine tenths of it and after being watched; how far off the slope. */
+export interface Seen {
+  readonly position: number
+  readonly late: number
+  readonly lifted: number
+  readonly later: number | null
+}
+
+function outcome(scene: EngineScene, seen: Seen): Outcome {
+  const { position, later } = seen
+  const finite = Number.isFinite(position)
+  return {
+    position: finite ? position : null,
+    error: finite ? Math.abs(position - scene.truth) : null,
+    creep: later === null || !finite ? null : later - position,
+    note: notes(scene, seen),
+  }
+}
+
+/** How long the frames of a clock last, up to `duration` [s]. */
+function durations(frames: FramesChoice, duration: number): number[] {
+  const { time } = simulate({ scene: 'ramp', frames, duration })
+  return Array.from(time.subarray(1), (end, row) => end - time[row]!)
+}

@@ -1,0 +1,60 @@
+import { Clock, FAR, slipDirection } from './block.ts'
+import type { Block, Given } from './block.ts'
+
+/** The ramp by velocity Verlet: the acceleration is constant, so that a stop is found by a division. */
+export class RampVerlet implements Block {
+  s = NaN
+  v = NaN
+  heat = NaN
+  slip: -1 | 0 | 1 = 0
+  readonly clock = new Clock()
+  private a = NaN
+  private readonly tangential: number
+  private readonly hold: number
+  private readonly friction: number
+  private readonly mass: number
+
+  constructor({ angle, muStatic, muKinetic, gravity, mass, position, speed }: Given) {
+    const alpha = (angle! * Math.PI) / 180
+    const normal = gravity! * Math.cos(alpha)
+    this.tangential = gravity! * Math.sin(alpha)
+    this.hold = muStatic! * normal
+    this.friction = muKinetic! * normal
+    this.mass = mass!
+    this.s = position!
+    this.v = speed!
+    this.heat = 0
+    this.chooseSlip()
+  }
+
+  frames(count: number, dt: number): void {
+    for (let n = 0; n < count; n++) this.frame(dt)
+  }
+
+  private frame(dt: number): void {
+    this.clock.add(dt)
+    let left = dt
+    while (left > 0 && this.slip !== 0) {
+      const { s, v, a, slip } = this
+      let h = left
+      let v1 = v + 0.5 * (a + a) * h
+      const stops = slip * v1 < 0
+      if (stops) {
+        h = -v / a
+        v1 = 0
+      }
+      const s1 = s + (v + 0.5 * a * h) * h
+      this.heat += this.mass * this.friction * Math.abs(s1 - s)
+      this.s = s1
+      this.v = v1
+      left -= h
+      if (stops) this.chooseSlip()
+      if (!(Math.abs(s1) < FAR)) this.slip = 0
+    }
+  }
+
+  private chooseSlip(): void {
+    this.slip = slipDirection(this.v, this.tangential, this.hold)
+    this.a = this.tangential - this.slip * this.friction
+  }
+}
