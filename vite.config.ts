@@ -22,7 +22,7 @@ export default defineConfig({
       input: ['index.html', 'embed.html', '404.html'],
       // What their index.ts lists and nothing uses is not loaded with it.
       treeshake: {
-        moduleSideEffects: [{ test: /\/src\/(physics|measure|view)\//, sideEffects: false }],
+        moduleSideEffects: [{ test: /\/src\/(physics|measure|chart|view)\//, sideEffects: false }],
       },
       output: {
         codeSplitting: {
@@ -38,7 +38,7 @@ export default defineConfig({
             {
               name: 'lab',
               tags: ['$initial'],
-              test: /\/(src\/(?!physics|measure|tutorial|figure\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
+              test: /\/(src\/(?!physics|measure|tutorial|panels\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
             },
           ],
         },

@@ -1,10 +1,10 @@
 import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
-import type { Drawing } from '../../src/figure/plots/curves.ts'
-import { boxOf } from '../../src/figure/plots/box.ts'
-import { experimentOf } from '../../src/figure/check.ts'
-import { opening } from '../../src/figure/opening.ts'
+import type { Drawing } from '../../src/panels/plots/curves.ts'
+import { boxOf } from '../../src/panels/plots/chart.ts'
+import { experimentOf } from '../../src/lab/state/check.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import { exact, simulate } from '../../src/physics/index.ts'
 import { openLab } from './labPage.ts'
 
@@ -79,8 +79,8 @@ test('what is plotted is what simulate gives, and follows a change', async () =>
     all = runs,
   ) => {
     const curves = await lab.drawing(id)
-    all.forEach((run, look) => {
-      const { x, y, time } = curves.find((each) => each.look === look)!
+    all.forEach((run, paletteIndex) => {
+      const { x, y, time } = curves.find((each) => each.paletteIndex === paletteIndex)!
       expect(y.length).toBeGreaterThan(7)
       x.forEach((_, i) => {
         const row = run.time.indexOf(time[i]!)

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { opening } from '../../src/figure/opening.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import { mappedExperiment, presentationErrors, rateAt, valueAt } from '../../src/measure/index.ts'
 import type { MapRequest } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'

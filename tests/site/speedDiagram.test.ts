@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, expect, inject, test } from 'vitest'
-import { opening } from '../../src/figure/opening.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import {
   presentationErrors,
   sweepMethods,
@@ -77,8 +77,8 @@ describe('speed against error', () => {
     )
     await press(lab.page, 'Enter')
     const state = await lab.state()
-    const { look, hidden, ...method } = state.runners[0]!
-    expect({ look, hidden }).toEqual({ look: 0, hidden: false })
+    const { paletteIndex, hidden, ...method } = state.runners[0]!
+    expect({ paletteIndex, hidden }).toEqual({ paletteIndex: 0, hidden: false })
     expect(method).toEqual({
       frames: { kind: 'steady', fps: 10 },
       timestep: { kind: 'variable' },
