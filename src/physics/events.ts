@@ -23,8 +23,10 @@ export function stepToEvent(motion: Motion, integrator: Integrator): void {
   const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
   if (changes > 1) motion.dt /= Math.ceil(2 * changes)
   integrator.step(motion)
-  const turned = hasTurned(motion) && (motion.law.turnMatters || mayReachEnd(motion))
-  if (turned || isOutside(motion)) shortenToEvent(motion, integrator)
+  const { turnMatters } = motion.law
+  const turned = hasTurned(motion) && (turnMatters || mayReachEnd(motion))
+  const overflowed = turnMatters && !(Math.abs(motion.v) < Infinity)
+  if (turned || overflowed || isOutside(motion)) shortenToEvent(motion, integrator)
 }
 // #endregion
 
