@@ -26,7 +26,7 @@ export const velocityVerlet = {
     motion.s = s + (v + 0.5 * a * dt) * dt
     motion.a = motion.acceleration(motion.s, v + a * dt)
     motion.v = v + 0.5 * (a + motion.a) * dt
-    // This step's last acceleration is the next step's first, unless the force depends on the velocity.
+    // It serves the next step too, where the force ignores v.
     motion.known = motion.reusable
   },
   // #endregion
