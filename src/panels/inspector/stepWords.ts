@@ -77,7 +77,7 @@ interface Accumulator {
 export function wordsBefore(step: PolicyStep, experiment: ResolvedExperiment): Said[] {
   const [standing] = step.standings
   if (standing?.begins !== 0) return []
-  return [say`It stands still: ${decision(step, standing, experiment)}`]
+  return [say`The block is at rest: ${decision(step, standing, experiment)}`]
 }
 
 /** What the stopping rule did at the end of a stretch, a sentence each. */
@@ -97,7 +97,7 @@ export function wordsAfter(
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing
         ? decision(step, standing, experiment)
-        : say`whether it stays is decided as the next step begins.`
+        : say`the next step decides whether it stays.`
       said.push(say`v reached 0 ${when}; s = ${kept.to.s} m; ${then}`)
     }
     if (stretch.ends === 'cut')
@@ -105,7 +105,7 @@ export function wordsAfter(
         say`The step is cut to ${kept.dt} s: over its whole length the force would change too much for a single step.`,
       )
     if (stretch.ends === 'joint')
-      said.push(say`It came to the joint at s = ${kept.to.s} m ${when}.`)
+      said.push(say`The block reaches the joint at s = ${kept.to.s} m ${when}.`)
   } else if (isLast) {
     if (kept.to.v !== step.to.v)
       said.push(say`v would have been ${kept.to.v} m/s: set to ${step.to.v}.`)
@@ -116,15 +116,13 @@ export function wordsAfter(
     const { muKinetic = 0 } = experiment.parameters
     if (experiment.stopping === 'naive' && muKinetic > 0 && step.from.v * step.to.v < 0)
       said.push(
-        say`v went through 0 and came out on the other side. Nothing notices: in the next step friction pushes it back, and so it trembles.`,
+        say`v crossed 0, and nothing noticed. In the next step friction pushes the block back, so it trembles.`,
       )
   }
   if (isLast && step.outcome === 'left-the-track')
-    said.push(say`There the track ends: it has left.`)
+    said.push(say`The track ends there: the block has left it.`)
   if (isLast && step.outcome === 'diverged')
-    said.push(
-      say`No real motion gets so fast or so far: the step has lost its stability, and the run ends.`,
-    )
+    said.push(say`The step has lost its stability: the run has diverged and ends here.`)
   return said
 }
 

@@ -18,8 +18,8 @@ export const velocityVerlet = {
   symplectic: true,
   evaluations: { least: 1, most: 2 },
   colour: 2,
-  // #region step
   step: (motion) => {
+    // #region step
     const { s, v, dt } = motion
     if (!motion.known) motion.a = motion.acceleration(s, v)
     const { a } = motion
@@ -28,6 +28,6 @@ export const velocityVerlet = {
     motion.v = v + 0.5 * (a + motion.a) * dt
     // It serves the next step too, where the force ignores v.
     motion.known = motion.reusable
+    // #endregion
   },
-  // #endregion
 } as const satisfies Integrator

@@ -147,7 +147,7 @@ describe('what the stopping rule did', () => {
       ),
     ])
     expect(words(clamped, 8)).toEqual([
-      'It stands still: it stays, because |drive| 2.5390 ≤ μs press 4.7379 m/s².',
+      'The block is at rest: it stays, because |drive| 2.5390 ≤ μs press 4.7379 m/s².',
     ])
   })
 
@@ -167,9 +167,9 @@ describe('what the stopping rule did', () => {
       Array.from({ length: 6 }, (_, i) => words(slide, i + 1))
         .flat()
         .join(),
-    ).toMatch(/It came to the joint at s = 0\.5 m after/)
+    ).toMatch(/The block reaches the joint at s = 0\.5 m after/)
     const out = with_({ scene: 'half-pipe', parameters: { speed: 20 } })
-    expect(words(out, simulate(out).frames).at(-1)).toContain('it has left')
+    expect(words(out, simulate(out).frames).at(-1)).toContain('the block has left it')
     const wild = with_({
       scene: 'spring',
       parameters: { stiffness: 1000 },
