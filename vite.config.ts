@@ -22,19 +22,23 @@ export default defineConfig({
       input: ['index.html', 'embed.html', '404.html'],
       // What their index.ts lists and nothing uses is not loaded with it.
       treeshake: {
-        moduleSideEffects: [{ test: /\/src\/(physics|measure|view)\//, sideEffects: false }],
+        moduleSideEffects: [{ test: /\/src\/(physics|measure|chart|view)\//, sideEffects: false }],
       },
       output: {
         codeSplitting: {
           groups: [
             // The page's script loads the lab by it, and would else load it with the lab.
             { name: 'load', test: (id) => id === helper },
-            // What is loaded first: the physics, which the worker has too, and the lab. Files in src itself are the pages' own.
-            { name: 'physics', tags: ['$initial'], test: /\/src\/(physics\/|measure\/spreadOf)/ },
+            // What is loaded first: the physics and what the lab measures with it, which the worker has too, and the lab. Files in src itself are the pages' own.
+            {
+              name: 'physics',
+              tags: ['$initial'],
+              test: /\/src\/(physics\/|measure\/(rounding|spread|withParameters)\.)/,
+            },
             {
               name: 'lab',
               tags: ['$initial'],
-              test: /\/(src\/(?!physics|measure|tutorial|figure\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
+              test: /\/(src\/(?!physics|measure|tutorial|panels\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
             },
           ],
         },

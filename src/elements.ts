@@ -1,7 +1,7 @@
-import { defineParts } from './figure/defineParts.ts'
-import { setSite } from './figure/site.ts'
+import { setSite } from './lab/site.ts'
 import { SlideFigureElement } from './elements/figure.ts'
 import { SlideLabElement } from './elements/lab.ts'
+import { defineLab } from './panels/slideLab.ts'
 
 /**
  * The two elements for other people's pages, in one module: `<script type="module" src="…/slide-lab.js"></script>`.
@@ -14,7 +14,6 @@ export { setSite }
 // A server has no page to define them in. A page that has it twice, from two places, keeps the first.
 if (typeof document === 'object' && !customElements.get('slide-lab')) {
   setSite(new URL(/* @vite-ignore */ './', import.meta.url).href)
-  defineParts()
-  customElements.define('slide-lab', SlideLabElement)
+  defineLab(SlideLabElement)
   customElements.define('slide-figure', SlideFigureElement)
 }

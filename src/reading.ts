@@ -1,3 +1,6 @@
 /* What the page has besides its lab. */
-import './figure/defineFigure.ts'
+import { SlideFigure } from './figures/element/slideFigure.ts'
 import './tutorial/index.ts'
+import './ui/themeSwitch.ts'
+
+customElements.define('slide-figure', SlideFigure)

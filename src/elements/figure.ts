@@ -1,10 +1,9 @@
 import { html, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
-import type { Values } from '../figure/figures/control.ts'
-import { SlideFigure } from '../figure/slideFigure.ts'
-import { Shadow } from './shadow.ts'
+import { SlideFigure } from '../figures/element/slideFigure.ts'
+import type { Values } from '../figures/shared/control.ts'
+import { Shadow, themeProblem } from './shadow.ts'
 import { inUnits } from './styles.ts'
-import { themeProblem } from './themeProblem.ts'
 
 type Given = Readonly<Record<string, unknown>> | string | null
 
@@ -70,7 +69,7 @@ export class SlideFigureElement extends SlideFigure {
     super()
     this.problems = {}
     this.#shadow.root.append(document.createElement('slot'))
-    this.playback.watch(this, 'write', () => {
+    this.playback.subscribe(this, 'write', () => {
       const { time } = this.playback
       this.dispatchEvent(new CustomEvent('timeupdate', { detail: { time } }))
     })

@@ -2,12 +2,11 @@ import { html, nothing } from 'lit'
 import type { PropertyDeclaration, PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Experiment, Problem } from '../physics/index.ts'
-import { stateAsked } from '../figure/attributes.ts'
-import { experimentOf } from '../figure/check.ts'
-import { SlideLab } from '../figure/slideLab.ts'
-import type { LabState } from '../figure/state.ts'
-import { Shadow } from './shadow.ts'
-import { themeProblem } from './themeProblem.ts'
+import { experimentOf } from '../lab/state/check.ts'
+import type { LabState } from '../lab/state/state.ts'
+import { SlideLab } from '../panels/slideLab.ts'
+import { stateAsked } from './attributes.ts'
+import { Shadow, themeProblem } from './shadow.ts'
 
 /** The properties that ask for something, by the names that `Asked` has for them. */
 const asking = [
@@ -108,7 +107,7 @@ export class SlideLabElement extends SlideLab {
     this.problems = []
     // Vue takes `compact` alone for true only where it finds a boolean.
     this.compact = false
-    this.playback.watch(this, 'write', () => {
+    this.playback.subscribe(this, 'write', () => {
       this.#tell('timeupdate', { time: this.playback.time })
     })
   }

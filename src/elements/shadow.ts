@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
-import { onSight } from '../figure/sight.ts'
-import { themeChanged } from '../figure/theme.ts'
+import { onVisible } from '../ui/visibility.ts'
+import { themeChanged } from '../ui/theme.ts'
 import { styles } from './styles.ts'
 
 const printing = ['beforeprint', 'afterprint'] as const
@@ -45,7 +45,7 @@ export class Shadow implements ReactiveController {
     this.follow()
     for (const type of printing) addEventListener(type, this.follow)
     // What is not displayed, in a closed tab of the page, has no transitions: it looks again when it is shown.
-    this.stopWatching = onSight(this.host, () => this.follow())
+    this.stopWatching = onVisible(this.host, () => this.follow())
   }
 
   hostDisconnected(): void {
@@ -61,4 +61,10 @@ export class Shadow implements ReactiveController {
     else this.states.delete('dark')
     themeChanged()
   }
+}
+
+/** What is wrong with a `theme`, in words; '' where it is one, or there is none. */
+export function themeProblem(theme: string | null | undefined): string {
+  if (!theme || theme === 'light' || theme === 'dark') return ''
+  return `“${theme}” is neither light nor dark, so the page’s own is taken`
 }

@@ -12,8 +12,8 @@ export function mechanicalEnergy({ experiment, s, v }: Trajectory): Float64Array
 }
 
 /**
- * Kinetic + potential + heat − what the run began with, at each row [J]. The heat is added up from friction × distance,
- * so that a method which invents energy or loses it shows it here. Drag's heat is not counted.
+ * Kinetic + potential + heat − what the run began with, at each row [J]. The heat is the work of friction and drag,
+ * force × distance, so that a method which invents energy or loses it shows it here.
  */
 export function energyResidual(trajectory: Trajectory): Float64Array {
   const energy = mechanicalEnergy(trajectory)

@@ -1,4 +1,5 @@
 import type { Integrator } from './integrator.ts'
+import { FAR } from './law.ts'
 import type { Motion } from './motion.ts'
 
 /** What ends a step early: the block turns (v = 0), or comes to the end of its piece of track. */
@@ -9,17 +10,23 @@ const MOST_ITERATIONS = 100
 // What rounding may leave of a residual whose terms have a size of one: the few hundred operations of a step each add an ulp.
 const ROUNDING = 1000 * Number.EPSILON
 
+// A block that turns beyond a joint by no more than the rounding of its place turns at the joint.
+const TOUCH = 16 * Number.EPSILON
+
 /**
  * Takes a step of `motion.dt`, or one that is shortened to end at the first event inside: at v = 0 exactly, or at the
  * joint exactly. Leaves in `motion.dt` how long it was. Where no such step can be found the motion ends as diverged.
  */
 // #region event
 export function stepToEvent(motion: Motion, integrator: Integrator): void {
-  // No step is so long that the law is another at its end, or that it holds two turns.
+  // No step is so long that a bend turns by more than two radians, or that the step could hold two turns.
   const changes = motion.dt * (motion.rate + motion.ratePerSpeed * Math.abs(motion.v))
-  if (changes > 1) motion.dt /= Math.ceil(changes)
+  if (changes > 1) motion.dt /= Math.ceil(2 * changes)
   integrator.step(motion)
-  if (hasTurned(motion) || isOutside(motion)) shortenToEvent(motion, integrator)
+  const { turnMatters } = motion.law
+  const turned = hasTurned(motion) && (turnMatters || mayReachEnd(motion))
+  const overflowed = turnMatters && !(Math.abs(motion.v) < Infinity)
+  if (turned || overflowed || isOutside(motion)) shortenToEvent(motion, integrator)
 }
 // #endregion
 
@@ -31,27 +38,32 @@ function isOutside({ s, from, to }: Motion): boolean {
   return s > to || s < from
 }
 
-/** Ends a step that an event lies in at the first event; where it can't be trusted, the step is halved instead. */
+/** Ends a step at the first event in it. A trial that can't be trusted is halved first. */
 function shortenToEvent(motion: Motion, integrator: Integrator): void {
+  // Too far off for any real motion: it has diverged.
+  if (Math.abs(motion.s) >= FAR) return
   for (let i = 0; !isPlausible(motion); i++) {
     if (i === MOST_HALVINGS) return motion.end('diverged')
     retake(motion, integrator, 0.5 * motion.dt)
   }
   const { dt, slip, law } = motion
+  const end = slip > 0 ? motion.to : motion.from
   const outside = isOutside(motion)
   if (hasTurned(motion) && (law.turnMatters || outside || mayReachEnd(motion))) {
     if (!locate('turn', motion, integrator)) return motion.end('diverged')
-    if (residual('joint', motion) >= 0) {
+    const ahead = residual('joint', motion)
+    if (ahead >= -TOUCH * Math.abs(end)) {
       // Where neither friction nor an end makes it matter, a turn is part of a step like any other.
-      if (law.turnMatters || outside) motion.stop()
-      else retake(motion, integrator, dt)
+      if (!law.turnMatters && !outside) return retake(motion, integrator, dt)
+      motion.stop()
+      if (ahead < 0) motion.s = end
       return
     }
   }
   // Of a turn and a joint the joint comes first: before a turn the block slides one way.
   if (residual('joint', motion) >= 0) return
   if (!locate('joint', motion, integrator)) return motion.end('diverged')
-  motion.s = slip > 0 ? motion.to : motion.from
+  motion.s = end
 }
 
 /** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m]. */
@@ -67,16 +79,19 @@ function retake(motion: Motion, integrator: Integrator, dt: number): void {
   integrator.step(motion)
 }
 
-/** Whether a trial ended no faster and no farther than its start can pay for, twice over: not a step that went wild. */
+/** Whether a trial's speed and distance are at most twice what its start can pay for: the step has kept its stability. */
 function isPlausible(motion: Motion): boolean {
-  const { s, v, dt, startS, curvature, stiffness } = motion
-  if (curvature === 0 && stiffness === 0) return true
+  const { s, v, dt, slip, startS, tangential, curvature, law } = motion
+  if (curvature === 0 && law.stiffness === 0 && law.drag === 0) return true
+  // Air brakes a block that gravity pulls on, but does not turn it.
+  if (law.drag > 0 && hasTurned(motion) && slip * tangential > 0) return false
   const most = 2 * fastest(motion)
   return Math.abs(v) <= most && Math.abs(s - startS) <= most * dt
 }
 
 /** The speed that the energy at the start of the step and the forces in it can give at the most [m/s]. */
-function fastest({ startS, startV, dt, stiffness, tangential, weight, law }: Motion) {
+function fastest({ startS, startV, dt, tangential, weight, law }: Motion) {
+  const { stiffness } = law
   if (stiffness === 0) return Math.abs(startV) + law.gravity * dt
   // The amplitude of the swing, by the distance from where spring, gravity and friction balance.
   const force = Math.abs(tangential - stiffness * startS) + law.muKinetic * weight
@@ -94,7 +109,7 @@ function mayReachEnd(motion: Motion): boolean {
  * from the same start ends at the event to rounding. Returns whether it has found a root.
  *
  * Regula falsi in the form of Anderson and Björck (1973), which keeps the root bracketed, with a bisection now and then
- * so that the bracket is sure to close. Its tolerance comes from the state at the start alone.
+ * so that the bracket is sure to close. Its tolerance comes from the start of the step and its length, never from the trial's end.
  */
 function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   let late = motion.dt
@@ -139,7 +154,7 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
       lastSide = -1
     }
   }
-  return false
+  return Math.abs(residual(event, motion)) <= limit
 }
 
 function lessWeight(here: number, before: number): number {

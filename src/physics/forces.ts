@@ -27,7 +27,7 @@ export interface ForceVectors {
   sum: Vector
   /** The sum divided by the mass [m/s²]. */
   acceleration: Vector
-  /** Whether friction holds the block, brakes it, or is none: nothing rubs, or the stopping rule leaves it out. */
+  /** Whether friction holds the block, brakes it, or does not act: there is none, or the stopping rule leaves it out. */
   rubbing: 'held' | 'sliding' | 'none'
 }
 

@@ -1,6 +1,6 @@
 import type { Motion } from './motion.ts'
 
-/** What resists the motion at one end of a step, per mass, and its first three derivatives by the distance. */
+/** Friction and drag at one end of a step, per mass, and their first three derivatives with respect to distance. */
 export class Resistance {
   /** For the other end of the step. */
   other: Resistance | undefined
@@ -23,14 +23,19 @@ export class Resistance {
 }
 
 /**
- * Adds the heat of the step from the beginning noted to the present state, on a bend or in air: the force of friction and
- * drag times the distance, and never what the energy has lost. The integral comes from the force and its derivatives at
+ * Adds the heat of the step from its recorded start to the present state: the force of friction and drag times the
+ * distance, and never what the energy has lost. On a bend and in air the integral comes from the force and its derivatives at
  * both ends (Hermite's two-point formula); it is of the eighth order, as the best method is.
  */
 export function addHeat(motion: Motion): void {
-  const { startS, startV, s, v, drag, curvature, law } = motion
-  const { muKinetic } = law
+  const { startS, startV, s, v, curvature, law } = motion
+  const { mass, muKinetic, drag } = law
   if (muKinetic === 0 && drag === 0) return
+  const h = s - startS
+  if (curvature === 0 && drag === 0) {
+    motion.heat += mass * muKinetic * motion.weight * Math.abs(h)
+    return
+  }
   const start = motion.resistance
   const end = start.other!
   if (start.s !== startS || start.v !== startV) {
@@ -41,36 +46,36 @@ export function addHeat(motion: Motion): void {
   end.s = s
   end.v = v
   resist(motion, end)
-  const h = s - startS
   let mean = 0.5 * (start.force + end.force)
   // On steps so long that the force has changed altogether, derivatives say nothing of what lies between.
   if (Math.abs(h) * (Math.abs(curvature) * (1 + 2 * muKinetic) + 2 * drag) < 1)
     mean +=
       h * (3 / 28) * (start.first - end.first) +
       h * h * ((1 / 84) * (start.second + end.second) + h * (1 / 1680) * (start.third - end.third))
-  motion.heat += law.mass * Math.abs(h * mean)
+  motion.heat += mass * Math.abs(h * mean)
   // This step's end is the next one's start.
   motion.resistance = end
 }
 
 /**
- * Sets what resists at a distance and a speed. With K = ½v², T = g sin θ and W = g cos θ (dT/ds = −κW, dW/ds = κT):
+ * Sets friction and drag, R, at a distance and a speed. With K = ½v², T = g sin θ and W = g cos θ (dT/ds = −κW, dW/ds = κT):
  *
  *     R = μk (W + 2κK) + 2(c/m)K,  dK/ds = T − (k/m)s − slip R
  *
  * so that each derivative of R follows from the one before.
  */
 function resist(motion: Motion, at: Resistance): void {
-  const { slip, drag, stiffness, curvature, law } = motion
+  const { slip, curvature, law } = motion
+  const { muKinetic, drag, stiffness } = law
   if (curvature !== 0) {
     motion.atS = at.s
     motion.turn()
   }
   const { tangential, weight } = motion
-  const bend = law.muKinetic * curvature
+  const bend = muKinetic * curvature
   const perK = 2 * (bend + drag)
   const square = curvature * curvature
-  at.force = law.muKinetic * weight + 0.5 * perK * at.v * at.v
+  at.force = muKinetic * weight + 0.5 * perK * at.v * at.v
   at.first = bend * tangential + perK * (tangential - stiffness * at.s - slip * at.force)
   at.second = -bend * curvature * weight - perK * (curvature * weight + stiffness + slip * at.first)
   at.third = -bend * square * tangential - perK * (square * tangential + slip * at.second)

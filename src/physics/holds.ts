@@ -2,8 +2,8 @@
 const ROUNDING = 4 * Number.EPSILON
 
 /**
- * Whether static friction holds a block at rest: |drive| ≤ μs press (Coulomb, 1785). A tie holds: what exceeds the
- * limit by no more than the rounding of the terms that were added up is no excess.
+ * Whether static friction holds a block at rest: |drive| ≤ μs press (Coulomb, 1785). A tie holds, and so does an
+ * excess that is no more than the rounding of the terms that were added up.
  *
  * @param drive every force along the track but friction, per mass [m/s²]
  * @param most the most that static friction can hold, μs press [m/s²]

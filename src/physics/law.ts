@@ -1,7 +1,7 @@
 import type { Parameters } from './state.ts'
 import type { Track } from './track.ts'
 
-/** What starts 1e9 m away at 1e9 m/s and falls at 1e6 m/s² for 1e6 s gets neither as far nor as fast [m, m/s]. */
+/** A block that starts 1e9 m away at 1e9 m/s and falls at 1e6 m/s² for 1e6 s gets neither as far nor as fast [m, m/s]. */
 export const FAR = 1e24
 const FAST = 1e15
 
@@ -21,7 +21,7 @@ export interface Law {
   readonly drag: number
   /** A stop changes the force, or how it changes: friction or drag acts. */
   readonly turnMatters: boolean
-  /** A speed that only a step which has lost its stability reaches [m/s]. */
+  /** Only a step that has lost its stability exceeds this speed [m/s]. */
   readonly speedLimit: number
 }
 

@@ -2,22 +2,22 @@ import { Resistance } from './heat.ts'
 import { holds } from './holds.ts'
 import { FAR } from './law.ts'
 import type { Law } from './law.ts'
-import { SinCos } from './trigonometry.ts'
+import { C10, C12, C14, C4, C6, C8, S11, S13, S3, S5, S7, S9, SinCos } from './trigonometry.ts'
 
-/** Is told of each evaluation of the acceleration, at `atS` and `atV`. */
+/** Called after each evaluation of the acceleration, at `atS` and `atV`. */
 export type Observer = (motion: Motion) => void
 
 /**
  * A block on a track: the distance `s` along the track [m], the speed `v` = ds/dt [m/s], and the law that moves it.
  * One mutable object with number fields, so that a step allocates nothing. Most fields start as NaN so that engines
- * store them as floating-point numbers from the first.
+ * store them as floating-point numbers from the start.
  */
 export class Motion {
   s = NaN
   v = NaN
-  /** The length of the step to take; once it has been taken, how long it was [s]. */
+  /** The length of the step to take; once it has been taken, its actual length [s]. */
   dt = NaN
-  /** How far into the step that the timestep policy asked for the motion has got [s]. */
+  /** Time since the start of the step that the timestep policy asked for [s]. */
   elapsed = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** Energy that friction and drag have turned into heat [J]. */
@@ -29,7 +29,7 @@ export class Motion {
 
   /** The direction of sliding, which friction opposes. */
   slip: -1 | 0 | 1 = 0
-  /** Friction opposes `slip` all through a step, instead of the sign of each speed that it is evaluated at. */
+  /** Friction opposes `slip` throughout a step, and not the sign of each speed at which it is evaluated. */
   readonly slipHeld: boolean
   /** The acceleration at the present state, where `known`: what a step may hand on to the next [m/s²]. */
   a = NaN
@@ -47,9 +47,6 @@ export class Motion {
   /** Gravity along the track and into it, per mass; on a bend, at the distance of the last evaluation [m/s²]. */
   tangential = NaN
   weight = NaN
-  /** Stiffness and drag per mass [1/s², 1/m]. */
-  stiffness = NaN
-  drag = NaN
   /** The slip direction times the coefficient of kinetic friction. */
   friction = NaN
   /** The acceleration is one number all along the piece: by gravity and friction alone, on a straight [m/s²]. */
@@ -62,14 +59,14 @@ export class Motion {
   // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
   rate = NaN
   ratePerSpeed = NaN
-  /** The force of friction on a straight, with the mass [N]; NaN where what resists is not the same all along. */
-  rubbing = NaN
-  /** What resisted at the end of the last step. */
+  /** Friction and drag at the end of the last step. */
   resistance = Resistance.pair()
 
   /** The state at which the step began, to which `rewind` returns. */
   startS = NaN
   startV = NaN
+  private startA = NaN
+  private startKnown = false
 
   readonly law: Law
   private observer: Observer | undefined
@@ -78,8 +75,6 @@ export class Motion {
   constructor(law: Law, s: number, v: number, slipHeld: boolean) {
     this.law = law
     this.slipHeld = slipHeld
-    this.stiffness = law.stiffness
-    this.drag = law.drag
     this.s = s
     this.v = v
     this.heat = this.elapsed = 0
@@ -93,8 +88,8 @@ export class Motion {
   }
 
   /**
-   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 compiles it
-   * into every integrator, where no number need be boxed to be passed: the law reads and writes fields.
+   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 inlines it
+   * into every integrator and boxes no number to pass it: the law itself reads and writes fields.
    */
   acceleration(s: number, v: number): number {
     this.atS = s
@@ -110,27 +105,41 @@ export class Motion {
       this.atA = this.steady
       return
     }
-    const { atS: s, atV: v } = this
-    if (this.curvature !== 0) this.turn()
+    const { atS: s, atV: v, law } = this
+    if (this.curvature !== 0) {
+      // For angles below π/4 this is SinCos.find, written out: a call would take as long as the sums do.
+      const angle = this.slope - this.curvature * (s - this.at)
+      const z = angle * angle
+      if (z < 0.6) {
+        const w = z * z
+        const sineTail = S3 + z * (S5 + z * (S7 + z * S9) + z * w * (S11 + z * S13))
+        const cosineTail = C4 + z * (C6 + z * C8) + z * w * (C10 + z * (C12 + z * C14))
+        const head = 1 - 0.5 * z
+        this.tangential = law.gravity * (angle + angle * z * sineTail)
+        this.weight = law.gravity * (head + (1 - head - 0.5 * z + w * cosineTail))
+      } else this.turn()
+    }
     if (!this.slipHeld) this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
     // #region law
-    const drive = this.tangential - this.stiffness * s - this.drag * v * Math.abs(v)
+    const drive = this.tangential - law.stiffness * s - law.drag * v * Math.abs(v)
     const press = this.weight + this.curvature * (v * v)
     this.atA = drive - this.friction * press
     // #endregion
     if (this.observer !== undefined) this.observer(this)
   }
 
-  /** Sets `tangential` and `weight` to what gravity comes to at `atS` on a bend. */
+  /** Sets `tangential` and `weight` to the two parts of gravity at `atS` on a bend. */
   turn(): void {
     const { direction, law } = this
+    // #region turn
     direction.angle = this.slope - this.curvature * (this.atS - this.at)
     direction.find()
     this.tangential = law.gravity * direction.sin
     this.weight = law.gravity * direction.cos
+    // #endregion
   }
 
-  /** Takes a direction of sliding, which friction opposes from now on. */
+  /** Sets the slip direction, which friction opposes from now on. */
   slide(slip: -1 | 0 | 1): void {
     this.slip = slip
     this.friction = slip * this.law.muKinetic
@@ -138,19 +147,16 @@ export class Motion {
     this.steady = this.tangential - this.friction * this.weight
   }
 
-  /** Has each evaluation of the acceleration shown to somebody, or to nobody. */
+  /** Calls `observer` after each evaluation of the acceleration; undefined ends that. */
   observe(observer: Observer | undefined): void {
+    const { law, slipHeld, curvature } = this
     this.observer = observer
     this.isSteady =
-      observer === undefined &&
-      this.slipHeld &&
-      this.curvature === 0 &&
-      this.stiffness === 0 &&
-      this.drag === 0
+      observer === undefined && slipHeld && curvature === 0 && law.stiffness === 0 && law.drag === 0
   }
 
   /**
-   * Finds the piece of track that the block is on, or at a joint the one that it slides into, and takes up its law.
+   * Finds the piece of track that the block is on, or at a joint the one that it slides into, and adopts its law.
    * Returns false where there is no track.
    */
   enterPiece(): boolean {
@@ -169,12 +175,11 @@ export class Motion {
     this.known = false
     this.observe(this.observer)
     this.slide(slip)
-    this.reusable = this.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
-    const bend = Math.abs(piece.curvature) * (1 + muKinetic)
-    this.rate = Math.sqrt(gravity * bend)
-    if (law.turnMatters) this.rate += Math.sqrt(this.stiffness) / Math.PI
-    this.ratePerSpeed = bend + this.drag
-    this.rubbing = bend > 0 || this.drag > 0 ? NaN : law.mass * muKinetic * this.weight
+    this.reusable = law.drag === 0 && (muKinetic === 0 || (this.slipHeld && piece.curvature === 0))
+    const bend = Math.abs(piece.curvature)
+    this.rate = 0.5 * Math.sqrt(gravity * bend * (1 + muKinetic))
+    if (law.turnMatters) this.rate += Math.sqrt(law.stiffness) / Math.PI
+    this.ratePerSpeed = bend * (0.5 + muKinetic)
     return slip < 0 ? s > piece.from && s <= piece.to : s >= piece.from && s < piece.to
   }
 
@@ -182,34 +187,37 @@ export class Motion {
    * Decides for a block with v = 0 whether it moves: static friction holds it while |drive| ≤ μs press. Otherwise it
    * sets off along the drive.
    */
-  // #region rest
   setsOff(): boolean {
+    // #region rest
     this.slide(0)
     const drive = this.acceleration(this.s, 0)
-    const terms = Math.abs(this.tangential) + Math.abs(this.stiffness * this.s)
+    const terms = Math.abs(this.tangential) + Math.abs(this.law.stiffness * this.s)
     if (holds(drive, this.law.muStatic * this.weight, terms)) {
       this.end('at-rest')
       return false
     }
     this.slide(drive > 0 ? 1 : -1)
+    // #endregion
     // At a joint it sets off into the piece on that side.
     if (this.enterPiece()) return true
     this.end('left-the-track')
     return false
   }
-  // #endregion
 
-  /** Notes the state as the beginning of a step of that length [s]. */
+  /** Records the state as the start of a step. */
   begin(): void {
     this.startS = this.s
     this.startV = this.v
+    this.startA = this.a
+    this.startKnown = this.known
   }
 
-  /** Returns to the beginning of the step. */
+  /** Returns to the start of the step. */
   rewind(): void {
     this.s = this.startS
     this.v = this.startV
-    this.known = false
+    this.a = this.startA
+    this.known = this.startKnown
   }
 
   /** Brings the block to rest where it is. */

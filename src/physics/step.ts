@@ -4,7 +4,7 @@ import { FAR } from './law.ts'
 import type { Motion } from './motion.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
-// Of one step, between stops, joints and shortened steps. A real motion has a handful, an oscillation that is far too fast
+// Parts of one step, which end at stops, joints and cuts. A real motion has a handful, an oscillation that is far too fast
 // for the step some hundreds; a run that needs more has lost its way.
 const MOST_PARTS = 10_000
 
@@ -31,13 +31,12 @@ export function advance(motion: Motion, integrator: Integrator, rule: StoppingRu
 }
 // #endregion
 
-/** Accepts the step from the beginning noted to the present state, and moves on to the next piece of track. */
+/** Accepts the step from its recorded start to the present state; at a joint, enters the next piece of track. */
 function accept(motion: Motion): void {
   const { s, v, slip } = motion
   const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.law.speedLimit
   if (!isOnPiece && isLost(motion)) return
-  if (motion.rubbing >= 0) motion.heat += motion.rubbing * Math.abs(s - motion.startS)
-  else addHeat(motion)
+  addHeat(motion)
   if (slip > 0 ? v < 0 : v > 0) motion.slide(v > 0 ? 1 : -1)
   if (!isOnPiece && !motion.enterPiece()) motion.end('left-the-track')
 }

@@ -56,8 +56,8 @@ export interface PolicyStep {
 }
 
 /**
- * The steps inside one frame of an experiment, as they ran: the run is played again up to the frame with somebody
- * watching, through the same code and to the same bits as `simulate`.
+ * The steps inside one frame of an experiment, as they ran: the run is repeated up to the frame and observed
+ * there, through the same code and to the same bits as `simulate`.
  *
  * @param frame the row of the trajectory that the frame ends at, 1 or more
  * @throws ExperimentError for an experiment that can't be run, RangeError for a frame that it does not have
@@ -85,7 +85,8 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
   const stretches: Stretch[] = []
   const standings: Standing[] = []
   let evaluations: Evaluation[] | undefined
-  motion.observe(({ atS: s, atV: v, atA: a, tangential, weight, stiffness, drag, curvature }) => {
+  const { stiffness, drag } = motion.law
+  motion.observe(({ atS: s, atV: v, atA: a, tangential, weight, curvature }) => {
     const drive = tangential - stiffness * s - drag * v * Math.abs(v)
     const press = weight + curvature * (v * v)
     const evaluation = { s, v, drive, press, a }

@@ -27,19 +27,19 @@ export function straight(angle: number, to = Infinity): Piece {
   return { from: -Infinity, to, at: 0, x: 0, y: 0, slope: radians(angle), sin, cos, curvature: 0 }
 }
 
-/** The arc that goes on where a straight piece ends, up to the distance `to`. */
+/** The arc that continues a straight piece from its end, up to the distance `to`. */
 export function arcAfter(before: Piece, curvature: number, to: number): Piece {
   const { x, y } = pointOn(before, before.to)
   return { ...before, from: before.to, to, at: before.to, x, y, curvature }
 }
 
-/** The straight piece that goes on for ever where an arc ends, that many degrees below the horizontal. */
+/** The endless straight piece that follows an arc, that many degrees below the horizontal. */
 export function straightAfter(before: Piece, angle: number): Piece {
   const { x, y } = pointOn(before, before.to)
   return { ...straight(angle), from: before.to, at: before.to, x, y }
 }
 
-/** The point of a track at the distance `s` [m]. Beyond its ends the outermost pieces go on. */
+/** The point of a track at the distance `s` [m]. Beyond its ends the outermost pieces continue. */
 export function placeOn(track: Track, s: number): Place {
   let i = 0
   while (i < track.length - 1 && !(s <= track[i]!.to)) i++

@@ -16,18 +16,18 @@ const HALF_PI_3 = 2.0222662487959506e-21
 const LARGEST = 1e9
 
 // Polynomials that fit both best up to π/4 (fdlibm, Sun Microsystems, 1993): as exact as Taylor's, and shorter.
-const S3 = -1.66666666666666324348e-1
-const S5 = 8.33333333332248946124e-3
-const S7 = -1.98412698298579493134e-4
-const S9 = 2.75573137070700676789e-6
-const S11 = -2.50507602534068634195e-8
-const S13 = 1.58969099521155010221e-10
-const C4 = 4.16666666666666019037e-2
-const C6 = -1.38888888888741095749e-3
-const C8 = 2.48015872894767294178e-5
-const C10 = -2.75573143513906633035e-7
-const C12 = 2.0875723212981748279e-9
-const C14 = -1.13596475577881948265e-11
+export const S3 = -1.66666666666666324348e-1
+export const S5 = 8.33333333332248946124e-3
+export const S7 = -1.98412698298579493134e-4
+export const S9 = 2.75573137070700676789e-6
+export const S11 = -2.50507602534068634195e-8
+export const S13 = 1.58969099521155010221e-10
+export const C4 = 4.16666666666666019037e-2
+export const C6 = -1.38888888888741095749e-3
+export const C8 = 2.48015872894767294178e-5
+export const C10 = -2.75573143513906633035e-7
+export const C12 = 2.0875723212981748279e-9
+export const C14 = -1.13596475577881948265e-11
 
 /**
  * The sine and cosine of one angle: set `angle` [rad], call `find`, read `sin` and `cos`. Numbers stand in fields, since

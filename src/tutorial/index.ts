@@ -1,10 +1,8 @@
 import { copyButton, reachable } from './page/code.ts'
 import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
-import { layOutInTurn } from './page/layOut.ts'
-import { followLinks } from './page/links.ts'
-import { lightOnPaper } from './page/print.ts'
-import { shine } from './page/shine.ts'
+import { followLinks, highlight } from './page/figures.ts'
+import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
 import { tabs } from './page/tabs.ts'
 
 /* The text is there without any of this. */
@@ -16,7 +14,7 @@ const all = (selector: string) => [
 for (const contents of all('.contents')) followReader(contents)
 for (const text of all('.text')) {
   followLinks(text)
-  shine(text)
+  highlight(text)
 }
 all('.dial').forEach(dial)
 all('.code').forEach(copyButton)

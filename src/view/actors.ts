@@ -1,9 +1,10 @@
+import { clamp } from '../chart/geometry.ts'
 import type { Body } from './body.ts'
 import { exactExtent } from './extent.ts'
-import { clamp } from './geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Picture, PictureRunner } from './picture.ts'
 import type { Projection } from './projection.ts'
+import { viewOf } from './scenes.ts'
 import { endOf, rowAt } from './timeline.ts'
 import type { End } from './timeline.ts'
 
@@ -31,7 +32,7 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
   const { exact, time, duration, runners, parameters } = picture
   const { from, to } = layout.extent
   const start = parameters.position!
-  const standing = (s: number) => ({
+  const placed = (s: number) => ({
     body: bodyAt(clamp(s, from, to), picture, layout, projection),
     distance: Math.abs(s - start),
     beyond: s < from - 1e-9 ? (-1 as const) : s > to + 1e-9 ? (1 as const) : (0 as const),
@@ -42,7 +43,7 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
     const row = rowAt(runner.trajectory, time)
     const end = endOf(runner.trajectory)
     return {
-      ...standing(drawnS[row]!),
+      ...placed(drawnS[row]!),
       distance: Math.abs(goal[row]! - start),
       last: clamp(goal[goal.length - 1]!, from, to),
       end: end && row >= end.row ? end : undefined,
@@ -52,7 +53,7 @@ export function actorsOf(picture: Picture, layout: Layout, projection: Projectio
     }
   })
   const { last } = exactExtent(exact, duration)
-  return [...simulated, { ...standing(exact(time, { s: 0, v: 0 }).s), last }]
+  return [...simulated, { ...placed(exact(time, { s: 0, v: 0 }).s), last }]
 }
 
 /** A block, or a ball, at a place of the track. */
@@ -62,5 +63,5 @@ export function bodyAt(
   { block }: Layout,
   projection: Projection,
 ): Body {
-  return { spot: projection.at(s), size: block, round: scene.id === 'fall' }
+  return { spot: projection.at(s), size: block, round: viewOf(scene).falls }
 }

@@ -1,14 +1,14 @@
-import { clamp } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
+import { degrees } from '../chart/numbers.ts'
+import { widthOf, write } from '../chart/text.ts'
+import { drawnEnds } from './ground.ts'
 import type { Layout } from './layout.ts'
-import { degrees } from './numbers.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
-import { drawnEnds } from './outline.ts'
 import type { Projection } from './projection.ts'
-import { bendEnd } from './subjects.ts'
+import { viewOf } from './scenes.ts'
 import { slackBox } from './spring.ts'
-import { widthOf, write } from './text.ts'
 
 /** The slope's angle at its foot: a dashed horizontal, an arc and the value. Answers with the room of the words there. */
 export function drawAngle(
@@ -24,9 +24,10 @@ export function drawAngle(
   // Uphill is against growing s.
   const side = -scene.facing
   const { lanes, width } = layout
-  const foot = scene.id === 'run-out' ? parameters.length! : drawnEnds(layout).to
+  const { spring, bend } = viewOf(scene)
+  const foot = bend?.(parameters).from ?? drawnEnds(layout).to
   const slope = (foot - drawnEnds(layout).from) * layout.camera.scale
-  // Far enough out for the figure to have room between the horizontal and the dots under the track.
+  // Far enough out for the number to have room between the horizontal and the dots under the track.
   const room = lanes.depth + 22
   const radius = clamp(room / Math.tan(angle), 60, Math.max(60, 0.45 * slope))
 
@@ -38,7 +39,7 @@ export function drawAngle(
   const y = wedge >= room - 1 ? vertex.y - 7 : vertex.y + 17 + Math.max(0, lanes.depth - wedge)
   const words: Box[] = []
   let near = vertex.x + side * (radius + 9)
-  if (scene.id === 'spring') {
+  if (spring) {
     // Beside the word that stands there, where they would cross.
     const word = slackBox(context, layout, projection, palette)
     words.push(word)
@@ -69,9 +70,10 @@ export function drawAngle(
 
 /** Where the line of the slope meets the level ground. */
 function vertexOf({ scene, parameters }: Picture, layout: Layout, projection: Projection): Point {
-  if (scene.id !== 'run-out') return projection.at(drawnEnds(layout).to)
+  const bend = viewOf(scene).bend?.(parameters)
+  if (!bend) return projection.at(drawnEnds(layout).to)
   // Both tangents of an arc are as long, from where it begins and ends to where they cross.
-  const { x, y } = projection.at(bendEnd(parameters))
-  const tangent = parameters.bendRadius! * Math.tan((parameters.angle! * Math.PI) / 360)
+  const { x, y } = projection.at(bend.to)
+  const tangent = bend.radius * Math.tan((parameters.angle! * Math.PI) / 360)
   return { x: x - tangent * layout.camera.scale, y }
 }

@@ -1,5 +1,5 @@
-import { moved } from './geometry.ts'
-import type { Point } from './geometry.ts'
+import { moved } from '../chart/geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 
 /** An arrow from one point to another, its head at most as long as itself. */
 export function drawArrow(

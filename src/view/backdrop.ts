@@ -1,9 +1,9 @@
+import type { Box } from '../chart/geometry.ts'
 import { drawAngle } from './angleArc.ts'
-import type { Box } from './geometry.ts'
 import { drawGround } from './ground.ts'
 import type { Palette } from './palette.ts'
-import { drawPost } from './post.ts'
-import { drawScaleBar } from './scaleBar.ts'
+import { drawPost, drawScaleBar } from './rulers.ts'
+import { viewOf } from './scenes.ts'
 import type { Setting } from './setting.ts'
 import { drawGhost } from './start.ts'
 import { batchesOf, countDots, drawBatch, drawFaint, drawLatest, lanesOf } from './strobe.ts'
@@ -71,7 +71,7 @@ function drawScenery(
 ): Box[] {
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, layout.width, layout.height)
-  if (picture.scene.id === 'fall') drawPost(context, picture, layout, projection, palette)
+  if (viewOf(picture.scene).falls) drawPost(context, picture, layout, projection, palette)
   else {
     drawGround(context, picture, layout, projection, palette)
     drawScaleBar(context, layout, palette)

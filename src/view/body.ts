@@ -1,5 +1,5 @@
-import { moved } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import { moved } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
 import { markOf } from './marks.ts'
 import type { Spot } from './projection.ts'
 
@@ -66,7 +66,7 @@ function enter(context: CanvasRenderingContext2D, body: Body): void {
 export function fillBody(
   context: CanvasRenderingContext2D,
   body: Body,
-  { look, fill, mark }: { look: number; fill: string; mark: string },
+  { paletteIndex, fill, mark }: { paletteIndex: number; fill: string; mark: string },
 ): void {
   const { globalAlpha } = context
   enter(context, body)
@@ -79,7 +79,7 @@ export function fillBody(
   // Marks stay upright.
   if (!body.round) context.rotate(-body.spot.turn)
   context.fillStyle = mark
-  context.fill(markOf(look, 0.2 * body.size))
+  context.fill(markOf(paletteIndex, 0.2 * body.size))
   context.restore()
 }
 

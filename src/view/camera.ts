@@ -1,4 +1,4 @@
-import type { Point } from './geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 
 /** How metres become pixels: x to the right, y upwards in metres, downwards in pixels. */
 export interface Camera {

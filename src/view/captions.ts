@@ -1,15 +1,14 @@
+import { clamp } from '../chart/geometry.ts'
+import type { Box } from '../chart/geometry.ts'
 import type { Actor } from './actors.ts'
 import { boundsOf, centre, top } from './body.ts'
-import { captionOf } from './caption.ts'
-import type { Caption } from './caption.ts'
-import { drawCaption, drawLeader } from './captionDrawing.ts'
-import type { Written } from './captionDrawing.ts'
-import { clamp } from './geometry.ts'
-import type { Box } from './geometry.ts'
+import { captionOf, drawCaption, drawLeader } from './caption.ts'
+import type { Caption, Written } from './caption.ts'
 import { placeColumn, placeLabels } from './labels.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Projection } from './projection.ts'
+import { viewOf } from './scenes.ts'
 import type { Setting } from './setting.ts'
 
 /** Where every actor's caption stands, none over another, over a block or over the `obstacles`. */
@@ -24,7 +23,7 @@ export function placeCaptions(
   context.font = `500 ${layout.row - 5}px ${palette.sans}`
   const { font } = context
   const captions = actors.map((actor) => captionOf(context, font, actor, picture, layout))
-  const vertical = picture.scene.id === 'fall'
+  const vertical = viewOf(picture.scene).falls
   captions.sort(inOrder(captions, projection, vertical))
   if (vertical) return column(captions, obstacles, layout)
   const poles = captions.map(({ actor, width, lean }) => ({
@@ -76,7 +75,7 @@ function inOrder(captions: readonly Caption[], projection: Projection, vertical:
   }
 }
 
-/** Beside a fall, to the right of the arrow and its figure; where the canvas is too narrow, above or below these. */
+/** Beside a fall, to the right of the arrow and its number; where the canvas is too narrow, above or below these. */
 function column(
   captions: readonly Caption[],
   obstacles: readonly Box[],

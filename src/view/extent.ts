@@ -1,7 +1,8 @@
 import type { ExactMotion, Trajectory } from '../physics/index.ts'
-import { clamp } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
 import type { Picture } from './picture.ts'
 import { samplesOf } from './samples.ts'
+import { viewOf } from './scenes.ts'
 
 /** A stretch of the track [m]. */
 export interface Extent {
@@ -18,7 +19,8 @@ export function extentOf(picture: Picture): Extent {
   const start = picture.parameters.position!
   let from = Math.min(truth.from, start)
   let to = Math.max(truth.to, start)
-  const reach = Math.max(to - from, smallest(picture))
+  const least = viewOf(picture.scene).least(picture.parameters)
+  const reach = Math.max(to - from, least)
   const low = from - reach
   const high = to + reach
   for (const { trajectory } of picture.runners) {
@@ -26,14 +28,7 @@ export function extentOf(picture: Picture): Extent {
     from = Math.min(from, clamp(run.from, low, high))
     to = Math.max(to, clamp(run.to, low, high))
   }
-  return widened({ from, to }, smallest(picture))
-}
-
-/** The least that is shown [m]: a block that never moves still stands on a ramp that can be seen and dragged. */
-function smallest({ scene, parameters }: Picture): number {
-  if (scene.id === 'half-pipe') return 0.2 * parameters.radius!
-  // A stiff spring's whole motion is within millimetres.
-  return scene.id === 'spring' ? 0.01 : 0.5
+  return widened({ from, to }, least)
 }
 
 function widened({ from, to }: Extent, least: number): Extent {

@@ -1,9 +1,12 @@
+import { around, moved, overlap } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
+import { write } from '../chart/text.ts'
 import type { Actor } from './actors.ts'
+import { drawArrow } from './arrows.ts'
 import { centre } from './body.ts'
 import type { Body } from './body.ts'
-import { around, moved, overlap } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
 import type { Layout } from './layout.ts'
+import type { Palette } from './palette.ts'
 import type { ArrowId, Picture, PictureVector } from './picture.ts'
 
 /** An arrow as it is drawn, in CSS pixels. */
@@ -118,4 +121,43 @@ function tagBox(
   )
   const crowd = (box: Box) => taken.filter((other) => overlap(box, other)).length
   return on.sort((a, b) => crowd(a) - crowd(b))[0] ?? boxes[0]!
+}
+
+/** Draws the arrows on a block, gravity's parts dashed, and the letters at the tips. */
+export function drawForces(
+  context: CanvasRenderingContext2D,
+  arrows: readonly ForceArrow[],
+  { arrows: colours, sheet, sans }: Palette,
+): void {
+  for (const { id, from, to, parts, cut } of arrows) {
+    const colour = colours[id]
+    for (const part of parts) {
+      dashed(context, from, part, colour)
+      dashed(context, part, to, colour)
+    }
+    // A rim keeps it apart from the block that it lies on.
+    const width = id === 'sum' ? 3.5 : 2.25
+    const head = id === 'sum' ? 13 : 11
+    if (cut) context.setLineDash([7, 4])
+    drawArrow(context, from, to, { colour: sheet, width: width + 2.5, head: 0 })
+    drawArrow(context, from, to, { colour, width, head })
+    context.setLineDash([])
+  }
+  context.font = `600 13px ${sans}`
+  for (const { id, tag, box } of arrows) {
+    context.fillStyle = colours[id]
+    const y = (box.top + box.bottom) / 2 + 4.5
+    write(context, tag, (box.left + box.right) / 2, y, { align: 'center', halo: sheet })
+  }
+}
+
+function dashed(context: CanvasRenderingContext2D, from: Point, to: Point, colour: string): void {
+  context.strokeStyle = colour
+  context.lineWidth = 1
+  context.setLineDash([3, 3])
+  context.beginPath()
+  context.moveTo(from.x, from.y)
+  context.lineTo(to.x, to.y)
+  context.stroke()
+  context.setLineDash([])
 }

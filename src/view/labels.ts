@@ -1,5 +1,5 @@
-import { clamp, overlap } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import { clamp, overlap } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
 
 /** A label that wants to stand above a point, like a flag at its pole. */
 export interface Pole {

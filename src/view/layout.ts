@@ -1,14 +1,15 @@
 import type { Parameters } from '../physics/index.ts'
+import type { Point } from '../chart/geometry.ts'
 import { fit } from './camera.ts'
 import type { Camera } from './camera.ts'
 import { extentOf } from './extent.ts'
 import type { Extent } from './extent.ts'
-import type { Point } from './geometry.ts'
 import type { Picture } from './picture.ts'
 import { worldPoint } from './projection.ts'
+import { viewOf } from './scenes.ts'
 import { sizesOf } from './sizes.ts'
 import type { Sizes } from './sizes.ts'
-import { bendEnd, slopeRoom, subjectsOf } from './subjects.ts'
+import { slopeRoom, subjectsOf } from './subjects.ts'
 
 /** How a picture is laid out on a canvas: all sizes in CSS pixels, all places along the track in metres. */
 export interface Layout extends Sizes {
@@ -30,7 +31,7 @@ export function layOut(picture: Picture, width: number, height: number): Layout 
   const subjects = subjectsOf(picture, extent, sizes, height)
   const fitted = fit(subjects, width, height)
   // A fall has but one direction: its column stands where the labels to the right of it have room.
-  const camera = picture.scene.id === 'fall' ? { ...fitted, x: Math.round(0.36 * width) } : fitted
+  const camera = viewOf(picture.scene).falls ? { ...fitted, x: Math.round(0.36 * width) } : fitted
   const room = slopeRoom(picture, sizes.block)
   const ends = {
     from: extent.from - room.top / camera.scale,
@@ -63,6 +64,7 @@ export function heldCamera(layout: Layout, picture: Picture, parameters: Paramet
 
 /** The point of the track about which a slope is tilted [m]: its foot. */
 function stillAt({ scene }: Picture, parameters: Parameters, ends: Extent): number {
-  if (scene.id === 'run-out') return bendEnd(parameters)
-  return scene.id === 'ramp' || scene.id === 'spring' ? ends.to : 0
+  const bend = viewOf(scene).bend?.(parameters)
+  if (bend?.joined) return bend.to
+  return 'angle' in parameters ? ends.to : 0
 }

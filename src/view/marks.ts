@@ -1,5 +1,3 @@
-import { SvgPath } from './svgPath.ts'
-
 /** What a mark is drawn on: a canvas's path, or one for SVG. */
 type Path = Pick<Path2D, 'arc' | 'closePath' | 'lineTo' | 'rect'>
 
@@ -27,13 +25,13 @@ const marks: readonly ((path: Path) => void)[] = [
 const paths = new Map<string, Path2D>()
 
 /** A mark of a radius around the origin. */
-export function markOf(look: number, radius: number): Path2D {
-  const key = `${look} ${radius}`
+export function markOf(paletteIndex: number, radius: number): Path2D {
+  const key = `${paletteIndex} ${radius}`
   let path = paths.get(key)
   if (!path) {
     if (paths.size > 100) paths.clear()
     const unit = new Path2D()
-    marks[look % marks.length]!(unit)
+    drawMark(unit, paletteIndex)
     path = new Path2D()
     path.addPath(unit, new DOMMatrix([radius, 0, 0, radius, 0, 0]))
     paths.set(key, path)
@@ -42,17 +40,15 @@ export function markOf(look: number, radius: number): Path2D {
 }
 
 /** The same around a point. */
-export function markPath(look: number, x: number, y: number, radius: number): Path2D {
+export function markPath(paletteIndex: number, x: number, y: number, radius: number): Path2D {
   const path = new Path2D()
-  path.addPath(markOf(look, radius), new DOMMatrix().translate(x, y))
+  path.addPath(markOf(paletteIndex, radius), new DOMMatrix().translate(x, y))
   return path
 }
 
-/** A mark around the origin, of radius 1, for SVG. */
-export function markText(look: number): string {
-  const path = new SvgPath()
-  marks[look % marks.length]!(path)
-  return path.text
+/** Draws a mark around the origin, of radius 1. */
+export function drawMark(path: Path, paletteIndex: number): void {
+  marks[paletteIndex % marks.length]!(path)
 }
 
 function polygon(path: Path, corners: number, radius: number, start: number): void {

@@ -1,17 +1,17 @@
+import { around } from '../chart/geometry.ts'
+import type { Box } from '../chart/geometry.ts'
 import { actorsOf } from './actors.ts'
 import { drawAngle } from './angleArc.ts'
 import type { Backdrop } from './backdrop.ts'
 import { strokeBody } from './body.ts'
 import { drawCaptions, placeCaptions } from './captions.ts'
-import { drawFigures, figureBoxes } from './figures.ts'
-import { forceArrows } from './forces.ts'
-import { drawForces } from './forcesDrawing.ts'
-import { around } from './geometry.ts'
-import type { Box } from './geometry.ts'
+import { drawHandleNumbers, numberBoxes } from './handleNumbers.ts'
+import { drawForces, forceArrows } from './forces.ts'
 import { drawHandles } from './handles.ts'
 import type { Palette } from './palette.ts'
 import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
 import type { Picture } from './picture.ts'
+import { viewOf } from './scenes.ts'
 import type { Setting } from './setting.ts'
 import { drawRunner } from './signs.ts'
 import { drawSpring } from './spring.ts'
@@ -25,15 +25,15 @@ export function paint(
   palette: Palette,
   backdrop: Pick<Backdrop, 'draw'>,
 ): void {
-  const { layout, projection, handles, figures } = setting
+  const { layout, projection, handles, numbers } = setting
   const { scene, time } = picture
   const actors = actorsOf(picture, layout, projection)
   const words = backdrop.draw(context, setting, palette, time)
   context.lineJoin = 'round'
   // With the exact block as the last of them there is always one for the spring to hang on.
   const selected = picture.selected === undefined ? undefined : actors[picture.selected]
-  if (scene.id === 'spring')
-    drawSpring(context, (selected ?? actors[0]!).body, layout, projection, palette)
+  const { falls, spring } = viewOf(scene)
+  if (spring) drawSpring(context, (selected ?? actors[0]!).body, layout, projection, palette)
   for (const actor of actors) drawRunner(context, actor, palette)
   // What has arrows stands in front of the others.
   if (selected && picture.forces) drawRunner(context, selected, palette)
@@ -41,23 +41,22 @@ export function paint(
   const physics = selected && physicsOf(selected, picture, layout, projection)
   if (physics) drawOutline(context, physics, palette)
   drawPush(context, picture, layout, palette)
-  const boxes = figureBoxes(context, figures, layout, palette)
+  const boxes = numberBoxes(context, numbers, layout, palette)
   const room = [...startRoom(picture, layout, projection), ...boxes]
   for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))
   const place = (obstacles: readonly Box[]) =>
     placeCaptions(context, setting, actors, selected, obstacles, palette)
-  const vertical = scene.id === 'fall'
   // Beside a fall arrows give way to captions, elsewhere captions to arrows.
-  const column = vertical ? place(boxes) : []
+  const column = falls ? place(boxes) : []
   const taken = [...room, ...words, ...column.map(({ box }) => box)]
   const arrows = selected ? forceArrows(picture, selected, layout, taken) : []
   for (const arrow of arrows) room.push(arrow.box, ...arrow.room)
   const letters = [...boxes, ...arrows.map(({ box }) => box)]
-  drawCaptions(context, vertical ? column : place(room), letters, vertical, palette)
-  if (physics) drawWords(context, physics, layout, vertical, palette)
+  drawCaptions(context, falls ? column : place(room), letters, falls, palette)
+  if (physics) drawWords(context, physics, layout, falls, palette)
   drawForces(context, arrows, palette)
   // An arrow would hide the angle's number.
   if (arrows[0] && words[0]) drawAngle(context, picture, layout, projection, palette)
-  drawFigures(context, figures, boxes, layout, vertical, palette)
+  drawHandleNumbers(context, numbers, boxes, layout, falls, palette)
   drawHandles(context, handles, picture, palette)
 }

@@ -1,4 +1,4 @@
-import { clamp } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
 import type { ArrowId } from './picture.ts'
 
 /** The colours and typefaces of a picture, from the page's custom properties. */

@@ -1,19 +1,19 @@
+import { clamp, moved } from '../chart/geometry.ts'
+import { widthOf, write } from '../chart/text.ts'
 import { bodyAt } from './actors.ts'
 import type { Actor } from './actors.ts'
 import { strokeBody } from './body.ts'
 import type { Body } from './body.ts'
-import { clamp, moved } from './geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
-import { widthOf, write } from './text.ts'
 
 /** A block as it is drawn, and the one that physics knows: a step ahead of it, or behind it. */
 interface Apart {
   readonly drawn: Body
   readonly physics: Body
-  readonly look: number
+  readonly paletteIndex: number
 }
 
 /** Where the physics of a block is, if it can be seen to be elsewhere than where the block is drawn. */
@@ -28,23 +28,27 @@ export function physicsOf(
   const s = runner.trajectory.s[row]!
   const apart = Math.abs(s - runner.trajectory.drawnS[row]!) * camera.scale
   if (!(apart > 1) || s < extent.from - 1e-9 || s > extent.to + 1e-9) return undefined
-  return { drawn: body, physics: bodyAt(s, picture, layout, projection), look: runner.look }
+  return {
+    drawn: body,
+    physics: bodyAt(s, picture, layout, projection),
+    paletteIndex: runner.paletteIndex,
+  }
 }
 
 /** The outline of the block that physics knows. */
 export function drawOutline(
   context: CanvasRenderingContext2D,
-  { physics, look }: Apart,
+  { physics, paletteIndex }: Apart,
   palette: Palette,
 ): void {
-  const colour = palette.runners[look]!.text
+  const colour = palette.runners[paletteIndex]!.text
   strokeBody(context, physics, { colour, width: 1.5, dash: [3, 3] })
 }
 
 /** Says which is which: below the dots of a track, beside a ball. */
 export function drawWords(
   context: CanvasRenderingContext2D,
-  { drawn, physics, look }: Apart,
+  { drawn, physics, paletteIndex }: Apart,
   { width, lanes, block }: Layout,
   vertical: boolean,
   palette: Palette,
@@ -65,7 +69,7 @@ export function drawWords(
       context.fillStyle = palette.sheet
       context.fillRect(x - half - 3, y - 8, 2 * half + 6, 16)
     }
-    context.fillStyle = palette.runners[look]!.text
+    context.fillStyle = palette.runners[paletteIndex]!.text
     write(context, text, x, y + 4, {
       align: 'center',
       halo: vertical ? palette.sheet : palette.ground,

@@ -1,15 +1,15 @@
 import type { ExactMotion, Parameters, Scene, Trajectory } from '../physics/index.ts'
-import type { Point } from './geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 
 /** One simulated block in a picture. */
 export interface PictureRunner {
   readonly trajectory: Trajectory
-  /** The run that its figures tell of, where that is not the one drawn: while it glides from one to the other. */
+  /** The run that its numbers tell of, where that is not the one drawn: while it glides from one to the other. */
   readonly goal?: Trajectory | undefined
   /** As its label says it: “10 fps”. */
   readonly name: string
   /** Its place in the palette of runner colours and in the list of marks, 0 … 7. */
-  readonly look: number
+  readonly paletteIndex: number
 }
 
 /** What an arrow on a block stands for. */

@@ -1,6 +1,6 @@
 import type { Parameters, Scene } from '../physics/index.ts'
+import type { Point } from '../chart/geometry.ts'
 import type { Camera } from './camera.ts'
-import type { Point } from './geometry.ts'
 
 /** A point of the track on the canvas. */
 export interface Spot extends Point {

@@ -1,8 +1,8 @@
-import { figuresOf } from './figures.ts'
-import type { Figure } from './figures.ts'
+import { handleNumbersOf } from './handleNumbers.ts'
+import type { HandleNumber } from './handleNumbers.ts'
+import { outline } from './ground.ts'
 import { handlesOf } from './handles.ts'
 import type { Layout } from './layout.ts'
-import { outline } from './outline.ts'
 import type { Handle, Picture } from './picture.ts'
 import { Projection } from './projection.ts'
 
@@ -12,7 +12,7 @@ export interface Setting {
   readonly layout: Layout
   readonly projection: Projection
   readonly handles: readonly Handle[]
-  readonly figures: readonly Figure[]
+  readonly numbers: readonly HandleNumber[]
   /** Where the highest ground is: above it all is sky [px]. */
   readonly sky: number
 }
@@ -24,7 +24,7 @@ export function settingOf(picture: Picture, layout: Layout): Setting {
     layout,
     projection,
     handles: handlesOf(picture, layout),
-    figures: figuresOf(picture, layout, projection),
+    numbers: handleNumbersOf(picture, layout, projection),
     sky: Math.min(...outline(picture, layout, projection).map(({ y }) => y)),
   }
 }

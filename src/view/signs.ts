@@ -1,6 +1,6 @@
+import { moved } from '../chart/geometry.ts'
 import type { Actor } from './actors.ts'
 import { centre, fillBody } from './body.ts'
-import { moved } from './geometry.ts'
 import type { Palette } from './palette.ts'
 
 /** A runner's block; where its run has gone wrong it fades under a sign of it. */
@@ -11,11 +11,11 @@ export function drawRunner(
 ): void {
   const { runner, end, body, beyond } = actor
   if (!runner) return
-  const { fill } = palette.runners[runner.look]!
+  const { fill } = palette.runners[runner.paletteIndex]!
   const wrong = end && end.kind !== 'at-rest'
   context.save()
   if (wrong || beyond !== 0) context.globalAlpha = 0.25
-  fillBody(context, body, { look: runner.look, fill, mark: palette.sheet })
+  fillBody(context, body, { paletteIndex: runner.paletteIndex, fill, mark: palette.sheet })
   context.restore()
   if (wrong) drawCross(context, actor, fill)
   else if (beyond !== 0) drawChevron(context, actor, beyond, fill)

@@ -1,5 +1,6 @@
-import { clamp } from './geometry.ts'
+import { clamp } from '../chart/geometry.ts'
 import type { Picture } from './picture.ts'
+import { viewOf } from './scenes.ts'
 
 /** What is so many pixels large whatever the scale. */
 export interface Sizes {
@@ -34,7 +35,7 @@ export function sizesOf(
   const count = runners.length
   const first = 11
   const gap = count <= 3 ? 9 : count <= 5 ? 7 : 5
-  const longest = 0.28 * (scene.id === 'fall' ? height : width) - 10
+  const longest = 0.28 * (viewOf(scene).falls ? height : width) - 10
   return {
     block: clamp(28 + 0.016 * width, 34, 46),
     lanes: { first, gap, depth: first + gap * Math.max(0, count - 1) + 4 },

@@ -1,11 +1,11 @@
+import { around, moved } from '../chart/geometry.ts'
+import type { Box, Point } from '../chart/geometry.ts'
+import { widthOf, write } from '../chart/text.ts'
 import type { Body } from './body.ts'
-import { around, moved } from './geometry.ts'
-import type { Box, Point } from './geometry.ts'
+import { drawnEnds } from './ground.ts'
 import type { Layout } from './layout.ts'
-import { drawnEnds } from './outline.ts'
 import type { Palette } from './palette.ts'
 import type { Projection } from './projection.ts'
-import { widthOf, write } from './text.ts'
 
 const TURNS = 14
 

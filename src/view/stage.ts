@@ -1,3 +1,5 @@
+import { penOf } from '../chart/pen.ts'
+import { forgetWidths } from '../chart/text.ts'
 import { Backdrop } from './backdrop.ts'
 import { dragged } from './drag.ts'
 import { held, layOut } from './layout.ts'
@@ -8,8 +10,7 @@ import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
-import { standingAt } from './standing.ts'
-import { forgetWidths } from './text.ts'
+import { endOf, rowAt } from './timeline.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
 export class Stage {
@@ -24,7 +25,7 @@ export class Stage {
   /** What the setting shown was made under. */
   private made: { readonly frozen: boolean; readonly ratio: number } | undefined
   /** What time changes in the picture, as it was drawn last; undefined where the next is to be drawn in any case. */
-  private standing: readonly number[] | undefined
+  private cacheKey: readonly number[] | undefined
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     // A canvas that gives no context is a browser out of memory: nothing can be shown then.
@@ -41,17 +42,17 @@ export class Stage {
     const ratio = window.devicePixelRatio
     const isKept = made?.frozen === frozen && made.ratio === ratio
     if (isKept && shown && isSameButTime(picture, shown.picture)) {
-      const before = this.standing
-      this.standing = this.standingOf(picture)
-      if (before && this.standing?.every((each, i) => Object.is(each, before[i]))) return
+      const before = this.cacheKey
+      this.cacheKey = this.cacheKeyOf(picture)
+      if (before && this.cacheKey?.every((each, i) => Object.is(each, before[i]))) return
     } else {
       const { clientWidth: width, clientHeight: height } = this.canvas
       if (width === 0 || height === 0) return
-      this.fitPixels(width, height, ratio)
+      penOf(this.canvas, width, height)
       this.palette = this.reader.read()
       this.shown = settingOf(picture, this.layoutOf(picture, width, height))
       this.made = { frozen, ratio }
-      this.standing = undefined
+      this.cacheKey = undefined
     }
     paint(this.context, picture, this.shown!, this.palette!, this.backdrop)
   }
@@ -72,10 +73,10 @@ export class Stage {
     return this.shown ? dragged(id, { x, y }, this.shown.picture, this.shown.layout) : {}
   }
 
-  private standingOf(picture: Picture): number[] | undefined {
+  private cacheKeyOf(picture: Picture): number[] | undefined {
     // Arrows change with more than that.
     if (picture.forces) return undefined
-    return [...standingAt(picture), this.backdrop.dotsAt(picture.time)]
+    return [...cacheKeyAt(picture), this.backdrop.dotsAt(picture.time)]
   }
 
   private layoutOf(picture: Picture, width: number, height: number): Layout {
@@ -87,12 +88,21 @@ export class Stage {
       shown.layout.height === height
     return still ? held(shown.layout, picture) : layOut(picture, width, height)
   }
+}
 
-  private fitPixels(width: number, height: number, ratio: number): void {
-    const [columns, rows] = [Math.round(width * ratio), Math.round(height * ratio)]
-    // Setting a size clears the canvas and is slow, even where it changes nothing.
-    if (this.canvas.width !== columns) this.canvas.width = columns
-    if (this.canvas.height !== rows) this.canvas.height = rows
-    this.context.setTransform(columns / width, 0, 0, rows / height, 0, 0)
+/**
+ * All that time changes in the blocks of a picture, as numbers: at two times with the same numbers they look the same.
+ * Forces are not among them.
+ */
+function cacheKeyAt({ runners, exact, time }: Picture): number[] {
+  const numbers = [exact(time, { s: 0, v: 0 }).s]
+  for (const { trajectory, goal } of runners) {
+    const row = rowAt(trajectory, time)
+    const end = endOf(trajectory)
+    numbers.push(
+      ...[trajectory.s[row]!, trajectory.drawnS[row]!, (goal ?? trajectory).drawnS[row]!],
+      end && row >= end.row ? 1 : 0,
+    )
   }
+  return numbers
 }

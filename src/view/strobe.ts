@@ -1,5 +1,5 @@
 import type { Trajectory } from '../physics/index.ts'
-import { clamp, moved } from './geometry.ts'
+import { clamp, moved } from '../chart/geometry.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture, PictureRunner } from './picture.ts'
@@ -65,7 +65,7 @@ export function lanesOf(
     const radius = Math.min(dotRadius(runner.trajectory), 0.56 * layout.lanes.gap)
     const depth = layout.lanes.first + i * layout.lanes.gap
     const dots = dotsOf(runner, depth, radius, layout, projection, key)
-    const { fill } = palette.runners[runner.look]!
+    const { fill } = palette.runners[runner.paletteIndex]!
     return { ...dots, trajectory: runner.trajectory, radius, fill }
   })
 }

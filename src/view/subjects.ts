@@ -1,21 +1,17 @@
-import type { Parameters } from '../physics/index.ts'
+import { moved } from '../chart/geometry.ts'
+import type { Point } from '../chart/geometry.ts'
 import type { Subject } from './camera.ts'
 import type { Extent } from './extent.ts'
-import { moved } from './geometry.ts'
-import type { Point } from './geometry.ts'
 import type { Picture } from './picture.ts'
 import { Projection, worldPoint } from './projection.ts'
+import { viewOf } from './scenes.ts'
+import type { Bend } from './scenes.ts'
 import { arrowReach } from './sizes.ts'
 import type { Sizes } from './sizes.ts'
 
-/** Where the bend of a run-out ends and the flat begins [m]. */
-export function bendEnd({ length, bendRadius, angle }: Parameters): number {
-  return length! + (bendRadius! * angle! * Math.PI) / 180
-}
-
 /** How far a slope goes on beyond the run: a spring needs room above for its coil. */
 export function slopeRoom({ scene }: Picture, block: number): { top: number; foot: number } {
-  return { top: scene.id === 'spring' ? 2.6 * block : 1.6 * block, foot: 0.75 * block }
+  return { top: viewOf(scene).spring ? 2.6 * block : 1.6 * block, foot: 0.75 * block }
 }
 
 /** Everything that must be seen, with the room around it. */
@@ -36,46 +32,46 @@ export function subjectsOf(
   const beside = (s: number, offset: Point, rim: number) =>
     subject(s, rim - offset.x, rim + offset.x, rim - offset.y, rim + offset.y)
 
-  const vertical = scene.id === 'fall'
+  const { falls, bend: bendOf } = viewOf(scene)
   // From the block's middle to the end of the letters at the longest arrow's tip.
   const reach = picture.forces ? sizes.force + 20 : 0
   const side = Math.max(0.8 * block, 0.8 * reach)
   // A stack that would take half the canvas goes on beside itself.
   const labels = Math.min((runners.length + 1) * row + 1.35 * block + 12, 0.46 * height)
-  // At the start the labels stand on the arrow's figure.
-  const figure = 24
+  // At the start the labels stand on the arrow's number.
+  const number = 24
   // Labels keep clear of the arrows too.
   const stack = Math.min(labels + 0.35 * reach, Math.max(labels, 0.5 * height))
-  const above = vertical ? Math.max(block, reach) : Math.max(stack, reach + block / 2)
-  const below = vertical ? Math.max(block, reach) : Math.max(lanes.depth + 34, reach - block / 2)
+  const above = falls ? Math.max(block, reach) : Math.max(stack, reach + block / 2)
+  const below = falls ? Math.max(block, reach) : Math.max(lanes.depth + 34, reach - block / 2)
   const subjects = samples(extent).map((s) => subject(s, side, side, above, below))
 
   const start = parameters.position!
-  subjects.push(subject(start, side, side, Math.min(above + figure, 0.46 * height), below))
+  subjects.push(subject(start, side, side, Math.min(above + number, 0.46 * height), below))
   const { along, out } = unit.at(start)
   const middle = moved({ x: 0, y: 0 }, out, block / 2)
   subjects.push(beside(start, moved(middle, along, arrowReach(picture, sizes.arrow)), 30))
-  if (vertical) return subjects
+  if (falls) return subjects
 
   const room = slopeRoom(picture, block)
-  if (scene.id === 'half-pipe') {
-    for (const s of lips(parameters, extent)) subjects.push(subject(s, 26, 26, 18, 40))
+  const bend = bendOf?.(parameters)
+  if (bend && !bend.joined) {
+    for (const s of lips(bend, extent)) subjects.push(subject(s, 26, 26, 18, 40))
   } else {
     subjects.push(
       beside(extent.from, moved({ x: 0, y: 0 }, unit.at(extent.from).along, -room.top), 26),
     )
     const foot = moved({ x: 0, y: 0 }, unit.at(extent.to).along, room.foot)
     subjects.push(beside(extent.to, foot, 20))
-    if (scene.id === 'run-out') subjects.push(subject(bendEnd(parameters), 20, 60, 20, below))
+    if (bend) subjects.push(subject(bend.to, 20, 60, 20, below))
   }
   return subjects
 }
 
-/** The lips of a half-pipe, or the part of it around a run that is much smaller. */
-function lips({ radius }: Parameters, { from, to }: Extent): [number, number] {
-  const lip = (Math.PI / 2) * radius!
+/** The ends of a track that bends between them, or of the part of it around a run that is much smaller. */
+function lips(bend: Bend, { from, to }: Extent): [number, number] {
   const more = 4 * (to - from)
-  return [Math.max(-lip, from - more), Math.min(lip, to + more)]
+  return [Math.max(bend.from, from - more), Math.min(bend.to, to + more)]
 }
 
 function samples({ from, to }: Extent): number[] {

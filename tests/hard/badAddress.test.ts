@@ -1,8 +1,8 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { readAddress, writeAddress } from '../../src/figure/address.ts'
-import { checked, experimentOf, MOST_RUNNERS } from '../../src/figure/check.ts'
-import type { LabState } from '../../src/figure/state.ts'
+import { readAddress, writeAddress } from '../../src/lab/state/address.ts'
+import { checked, experimentOf, MOST_RUNNERS } from '../../src/lab/state/check.ts'
+import type { LabState } from '../../src/lab/state/state.ts'
 import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
 import { experiments } from './experiments.ts'
 import { check } from './runs.ts'
@@ -20,9 +20,9 @@ const states: fc.Arbitrary<LabState> = fc
     parameters,
     // The runners come from other runs, whose clocks may ask for too much in this one's time.
     duration: Math.min(duration, 1),
-    runners: runners.map(([{ integrator, stopping, timestep, frames }, look, hidden]) => ({
+    runners: runners.map(([{ integrator, stopping, timestep, frames }, paletteIndex, hidden]) => ({
       ...{ integrator, stopping, timestep, frames },
-      ...{ look, hidden },
+      ...{ paletteIndex, hidden },
     })),
   }))
   .filter((state) => state.runners.every((runner) => runs(() => experimentOf(state, runner))))

@@ -19,10 +19,14 @@ describe('14 a joint and a stop inside the same step', () => {
 
   it('both joints and the stop are in the first frame, in their order', () => {
     const [step] = traceFrame(once, 1)
-    expect(step!.stretches.map(({ jump }) => jump)).toEqual(['joint', 'joint', 'stop'])
-    measured(name, 'found', [once.integrator!], step!.stretches.length, { atLeast: 3, atMost: 3 })
+    // Between them steps that would be too long for the bend are cut.
+    const { stretches } = step!
+    const events = stretches.flatMap(({ ends }) => (ends && ends !== 'cut' ? [ends] : []))
+    expect(events).toEqual(['joint', 'joint', 'stop'])
+    measured(name, 'found', [once.integrator!], events.length, { atLeast: 3, atMost: 3 })
     const bendEnd = 0.2 + 0.5 * 30 * (Math.PI / 180)
-    expect(step!.stretches.slice(1).map(({ tries }) => tries[0]!.from.s)).toEqual([0.2, bendEnd])
+    const afterJoints = stretches.filter((_, i) => stretches[i - 1]?.ends === 'joint')
+    expect(afterJoints.map(({ tries }) => tries[0]!.from.s)).toEqual([0.2, bendEnd])
   })
 
   it.each(methods)('$id rests, however many of them a step holds', (method) => {
@@ -119,7 +123,7 @@ describe('15 a stop exactly at a frame’s end, and exactly at a joint', () => {
     }
   })
 
-  it('a lip reached exactly at a frame’s end is left in the next', () => {
+  it('a lip reached exactly at a frame’s end is left there, since the track ends at it', () => {
     // Without gravity and friction the speed is kept: one frame of a second is a quarter of the circle to the bit.
     const game = createRun({
       scene: 'half-pipe',
@@ -127,8 +131,6 @@ describe('15 a stop exactly at a frame’s end, and exactly at a joint', () => {
     })
     game.frame(1)
     expect(game.motion.s).toBe(Math.PI / 2)
-    expect(game.outcome.kind).toBe('moving')
-    game.frame(1)
     expect(game.outcome).toEqual({ kind: 'left-the-track', time: 1 })
     expect(game.motion.s).toBe(Math.PI / 2)
   })

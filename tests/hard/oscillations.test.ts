@@ -223,7 +223,7 @@ describe('12 twenty reversals in a frame', () => {
   it.each(among(name, allBut(['explicit-euler'])))('$id finds every one', ({ id, experiment }) => {
     const stops = traceFrame(experiment, 1)
       .flatMap(({ stretches }) => stretches)
-      .filter(({ jump }) => jump === 'stop')
+      .filter(({ ends }) => ends === 'stop')
     // Every half swing ends with one: √4000/π of them in the first second.
     const turns = Math.floor(omega / Math.PI)
     measured(name, 'found', [id], stops.length, { atLeast: turns, atMost: turns })

@@ -154,9 +154,10 @@ function energyErrorOfStep(run: Trajectory, row: number, dt: number): number | u
   const A = weight + law.stiffness * V * dt + law.perSquare * V * V
   const rate = law.rate(V)
   if (rate * dt > 0.5) return undefined
-  const order = sceneOf(experiment.scene).law(experiment.parameters).dependsOnSpeed
-    ? method.orderWithSpeed
-    : method.order
+  const { drag, muKinetic, track } = sceneOf(experiment.scene).law(experiment.parameters)
+  const dependsOnSpeed =
+    drag > 0 || (muKinetic > 0 && track.some(({ curvature }) => curvature !== 0))
+  const order = dependsOnSpeed ? method.orderWithSpeed : method.order
   return 2 * (rate * dt) ** (order - 1) * (dt * (rate * V + A)) ** 2
 }
 

@@ -128,7 +128,10 @@ describe('a map', () => {
     // The lip is at πR/2: a pipe of a radius below 1.78 m does not hold a block at 2.8 m.
     expect(pipes[0]).toEqual(['refused'])
     expect(pipes[6]).toContain('left-the-track')
-    const spring: Experiment = { scene: 'spring', parameters: { position: 1.5, muKinetic: 0 } }
+    const spring: Experiment = {
+      scene: 'spring',
+      parameters: { position: 1.5, muStatic: 0, muKinetic: 0 },
+    }
     const springs = kindsOf({
       ...{ ...request, experiment: spring, parameter: 'stiffness', from: 1, to: 4000 },
     })

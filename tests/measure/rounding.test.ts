@@ -28,7 +28,7 @@ describe('the scale of a run', () => {
   it('is not that of a run that diverges', () => {
     const experiment: Experiment = {
       scene: 'spring',
-      parameters: { stiffness: 4000, position: 1 },
+      parameters: { stiffness: 4000, position: 1, muStatic: 0, muKinetic: 0 },
       frames: { kind: 'steady', fps: 10 },
     }
     const run = simulate(experiment)

@@ -19,8 +19,7 @@ import type {
   Option,
   Timestep,
 } from '../../src/physics/index.ts'
-import { Motion } from '../../src/physics/motion.ts'
-import { freely } from '../../src/physics/scenes/law.ts'
+import { bareMotion } from './bareMotion.ts'
 import { last } from './truth.ts'
 
 const lists: Record<string, readonly Described[]> = {
@@ -162,9 +161,7 @@ describe('integrators', () => {
   /** The step on s″ = −s as a matrix: its determinant, and the larger modulus of its eigenvalues. */
   const swing = (method: Integrator, omegaDt: number) => {
     const from = (s: number, v: number) => {
-      const law = { ...freely(1), forces: [{ drive: 0, perMetre: 1, press: 0 }] }
-      const motion = new Motion(law, s, v)
-      motion.dt = omegaDt
+      const motion = bareMotion((s) => -s, { s, v, dt: omegaDt })
       method.step(motion)
       return motion
     }
@@ -234,11 +231,6 @@ describe('timestep policies', () => {
     // Less than a step is carried over, not lost.
     if (losesTime) expect(behind).toBeGreaterThan(0.5)
     else expect(behind).toBeLessThan(1 / 60)
-  })
-
-  it('take frames in a row only where each is one step', () => {
-    const inRow = timesteps.filter((policy) => 'stepIsFrame' in policy && policy.stepIsFrame)
-    expect(inRow.map(({ id }) => id)).toEqual(['variable'])
   })
 })
 

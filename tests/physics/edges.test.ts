@@ -1,33 +1,8 @@
 /** Steps at the edge of a case: that begin where they end, that turn where nothing rubs, that leave by the other side. */
 import { describe, expect, it } from 'vitest'
-import { createRun, simulate, traceFrame } from '../../src/physics/index.ts'
+import { simulate, traceFrame } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { last } from './truth.ts'
-
-describe('a block that sets off and comes to rest again within one step', () => {
-  it('is at rest from the instant at which the step’s own speed is 0', () => {
-    const after = (duration: number) => {
-      const run = createRun({
-        scene: 'half-pipe',
-        parameters: { radius: 2, position: 1.6, speed: 0, muStatic: 0.9, muKinetic: 0.2 },
-        integrator: 'rk4',
-        stopping: 'located',
-      })
-      run.frame(duration)
-      return run
-    }
-    const { outcome, motion: stopped } = after(2)
-    expect(outcome.kind).toBe('at-rest')
-    // Steps of a millionth less, and of two, which no rule has to end.
-    const near = after((1 - 2e-6) * outcome.time).motion
-    const nearer = after((1 - 1e-6) * outcome.time).motion
-    // The speed falls to 0 in a straight line there: half of the time left, half of the speed.
-    expect(nearer.v / near.v).toBeCloseTo(0.5, 4)
-    expect(Math.abs(nearer.v)).toBeGreaterThan(0)
-    // And the place goes on in a straight line to that of the stop, but for the square of a millionth.
-    expect(2 * nearer.s - near.s).toBeCloseTo(stopped.s, 10)
-  })
-})
 
 describe('the search for a stop', () => {
   it('asks for as many accelerations as it needs, and no more', () => {
@@ -45,19 +20,20 @@ describe('the search for a stop', () => {
   })
 
   it('begins with half of a step that ends beyond a turn and begins at one', () => {
+    // ω = 3.098/s: in a second hardly half a swing, of which the method makes a little more.
     const released: Experiment = {
-      scene: 'half-pipe',
-      parameters: { radius: 0.5, position: 0.4, speed: 0, muStatic: 0.9, muKinetic: 0.2 },
+      scene: 'spring',
+      parameters: { angle: 0, stiffness: 9.6, position: 1, muStatic: 0.01, muKinetic: 0.01 },
       integrator: 'rk4',
       stopping: 'located',
       frames: { kind: 'steady', fps: 1 },
       duration: 1,
     }
     const [step] = traceFrame(released, 1)
-    const lengths = step!.stretches[0]!.tries.map(({ dt }) => dt)
+    const [first] = step!.stretches
+    const lengths = first!.tries.map(({ dt }) => dt)
     expect(lengths.slice(0, 2)).toEqual([1, 0.5])
-    // Four each, and the one that shows that the block sets off, and later the one that it stays.
-    expect(simulate(released).evaluations).toBe(4 * lengths.length + 2)
+    expect(first!.ends).toBe('stop')
   })
 })
 

@@ -31,14 +31,14 @@ describe('the force vectors', () => {
         Object.entries(scene.parameters).map(([name, { initial }]) => [name, initial]),
       ),
       ...experiment.parameters,
-    }
+    } as Record<string, number>
     const law = scene.law(parameters)
 
     it.each(states)(
       'add up along the track to the acceleration that a step integrates, and across to m v² κ, at %o',
       (state) => {
         const forces = forcesAt(experiment, state)
-        const motion = new Motion(law, state.s, state.v)
+        const motion = new Motion(law, state.s, state.v, true)
         const scale = length(forces.gravity) + length(forces.normal) + length(forces.other)
         // Ten roundings of the largest of the forces.
         const rounding = 10 * Number.EPSILON * scale

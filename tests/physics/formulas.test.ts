@@ -2,9 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import { integrators } from '../../src/physics/index.ts'
 import type { Integrator } from '../../src/physics/index.ts'
-import type { Forces } from '../../src/physics/law.ts'
-import { Motion } from '../../src/physics/motion.ts'
-import { freely } from '../../src/physics/scenes/law.ts'
+import { bareMotion } from './bareMotion.ts'
 
 type Numbers = Record<string, number>
 
@@ -67,12 +65,7 @@ const told: readonly Integrator[] = integrators.filter(
 
 describe.each(told)('the formulas of $id', (method) => {
   it('are the step that it takes', () => {
-    const forces: Forces = (contact) => {
-      contact.drive = pull(contact.s, contact.v)
-      contact.press = 0
-    }
-    const motion = new Motion({ ...freely(1), forces: [forces], dependsOnSpeed: true }, 0.4, 1.1)
-    motion.dt = 0.3
+    const motion = bareMotion(pull, { s: 0.4, v: 1.1, dt: 0.3 })
     method.step(motion)
     const { 's′': s, 'v′': v } = byFormula(method, 0.4, 1.1, 0.3)
     expect(motion.s).toBeCloseTo(s!, 13)

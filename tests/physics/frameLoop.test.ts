@@ -38,10 +38,11 @@ describe('the frames of a run', () => {
   const way = (t: number) => 0.5 * 9.81 * t * t
 
   it.each([
-    // What a billionth of a frame more or less is rounding.
+    // A few ulps more or less are the rounding of sums of frames; a billionth of a frame is a frame of its own.
     { duration: 0.3, frames: 3, end: 0.3 },
-    { duration: 0.3 + 5e-11, frames: 3, end: 0.3 },
-    { duration: 0.3 - 5e-11, frames: 3, end: 0.3 },
+    { duration: 0.1 + 0.2, frames: 3, end: 0.3 },
+    { duration: 0.3 + 5e-11, frames: 4, end: 0.3 + 5e-11 },
+    { duration: 0.3 - 5e-11, frames: 3, end: 0.3 - 5e-11 },
     { duration: 0.3 + 5e-10, frames: 4, end: 0.3 + 5e-10 },
     { duration: 0.3 - 5e-10, frames: 3, end: 0.3 - 5e-10 },
     { duration: 0.05, frames: 1, end: 0.05 },
@@ -49,7 +50,6 @@ describe('the frames of a run', () => {
     const run = fall(duration)
     expect(run.frames).toBe(frames)
     expect(last(run.time)).toBe(duration)
-    // 5e-11 s of it are 1.5e-10 m.
     expect(last(run.s)).toBeCloseTo(way(end), 13)
   })
 
@@ -182,7 +182,9 @@ describe('a run that the caller drives', () => {
     const game = createRun({ scene: 'ramp' })
     expect(() => {
       game.frame(duration)
-    }).toThrow(`A frame of ${duration} s: a frame lasts a finite number of seconds, 0 or more.`)
+    }).toThrow(
+      `A frame of ${duration}: a frame lasts a finite number of seconds, 0 or more, and so does the run.`,
+    )
     expect([game.frames, game.time]).toEqual([0, 0])
   })
 })

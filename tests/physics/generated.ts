@@ -178,7 +178,7 @@ function lipFrames(chance: Chance): FramesChoice {
 }
 
 /** The longest frame that a clock can give [s]. */
-export function longestFrame(frames: FramesChoice): number {
+function longestFrame(frames: FramesChoice): number {
   if (frames.kind === 'steady') return 1 / frames.fps
   if (frames.kind === 'jitter') return (1 + frames.amount) / frames.fps
   if (frames.kind === 'hitch') return Math.max(frames.length, 1 / frames.fps)

@@ -100,7 +100,8 @@ describe('with drag', () => {
   })
 
   it.each(integrators)('the energy residual of $id falls with the order of $id', (method) => {
-    const first = coarsest[method.id] ?? 1 / 40
+    // At 1/5 s a step of rk8 is as long as the air's own time, m/(c v): not yet where its leading term is all.
+    const first = method.id === 'rk8' ? 1 / 10 : (coarsest[method.id] ?? 1 / 40)
     const steps = [1, 2, 4, 8, 16].map((parts) => first / parts)
     const errors = steps.map((step) => residual(drag, method.id, step))
     expect(orderOf(errors, ROUNDING), errors.join(', ')).toBeGreaterThan(

@@ -1,22 +1,17 @@
 import { describe, expect, it } from 'vitest'
 import { implicitMidpoint } from '../../src/physics/integrators/implicitMidpoint.ts'
-import type { Forces } from '../../src/physics/law.ts'
-import { Motion } from '../../src/physics/motion.ts'
-import { freely } from '../../src/physics/scenes/law.ts'
+import { bareMotion } from './bareMotion.ts'
 
 describe('implicit midpoint', () => {
-  const after = (forces: Forces, dt: number, v = 1) => {
-    const motion = new Motion({ ...freely(1), forces: [forces] }, 0, v)
-    motion.dt = dt
+  const after = (acceleration: (s: number, v: number) => number, v = 1) => {
+    const motion = bareMotion(acceleration, { v })
     implicitMidpoint.step(motion)
     return motion
   }
 
   it('reports an equation that has no solution', () => {
     // v̄ = v + ½ Δt (2 v̄ + 1) at Δt = 1: v̄ is on both sides, and 1 + ½ is left. Every guess misses alike.
-    const motion = after((motion) => {
-      motion.drive = 2 * motion.v + 1
-    }, 1)
+    const motion = after((_, v) => 2 * v + 1)
     expect(motion.unsolved).toBe(1)
     // Two looks show that, and no more are taken.
     expect(motion.evaluations).toBe(2)
@@ -25,9 +20,7 @@ describe('implicit midpoint', () => {
   })
 
   it('solves one that has, also where a force of the same kind is a little weaker', () => {
-    const motion = after((motion) => {
-      motion.drive = 1.5 * motion.v + 1
-    }, 1)
+    const motion = after((_, v) => 1.5 * v + 1)
     // v̄ (1 − ¾) = 1 + ½
     expect(motion.unsolved).toBe(0)
     expect(motion.s).toBeCloseTo(6, 13)
@@ -35,21 +28,13 @@ describe('implicit midpoint', () => {
   })
 
   it('looks once where nothing acts', () => {
-    const motion = after((motion) => {
-      motion.drive = 0
-    }, 1)
+    const motion = after(() => 0)
     expect(motion.evaluations).toBe(implicitMidpoint.evaluations.least)
     expect([motion.s, motion.v]).toEqual([1, 1])
   })
 
   it('looks once at a block that stands where nothing acts', () => {
-    const motion = after(
-      (motion) => {
-        motion.drive = 0
-      },
-      1,
-      0,
-    )
+    const motion = after(() => 0, 0)
     expect([motion.evaluations, motion.unsolved]).toEqual([1, 0])
     expect([motion.s, motion.v]).toEqual([0, 0])
   })

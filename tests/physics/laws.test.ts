@@ -13,58 +13,46 @@ function lawOf(id: SceneId, given: Record<string, number> = {}) {
 const smooth = { muStatic: 0, muKinetic: 0 }
 
 describe('a law', () => {
-  it('takes static friction for no less than kinetic', () => {
-    for (const id of ['ramp', 'run-out', 'half-pipe', 'spring'] as const) {
-      expect(lawOf(id, { muStatic: 0.1, muKinetic: 0.4 })).toMatchObject({
-        muStatic: 0.4,
-        muKinetic: 0.4,
-      })
+  it('has the coefficients, the mass and the forces per mass of its parameters, and 0 for what a scene has not', () => {
+    for (const id of ['ramp', 'run-out', 'half-pipe'] as const)
       expect(lawOf(id, { muStatic: 0.5, muKinetic: 0.4, mass: 3 })).toMatchObject({
-        muStatic: 0.5,
-        muKinetic: 0.4,
-        mass: 3,
+        ...{ muStatic: 0.5, muKinetic: 0.4, mass: 3, stiffness: 0, drag: 0 },
       })
-    }
-    expect(lawOf('fall', { mass: 3 })).toMatchObject({ muStatic: 0, muKinetic: 0, mass: 3 })
+    expect(lawOf('spring', { stiffness: 12, mass: 3 })).toMatchObject({ stiffness: 4, drag: 0 })
+    expect(lawOf('fall', { drag: 6, mass: 3 })).toMatchObject({
+      ...{ muStatic: 0, muKinetic: 0, mass: 3, stiffness: 0, drag: 2 },
+    })
   })
 
-  it('says that a turn matters where friction or drag changes with it, or the track has joints', () => {
-    for (const id of ['ramp', 'half-pipe', 'spring'] as const) {
+  it('says that a turn matters where friction or drag changes with it', () => {
+    for (const id of ['ramp', 'run-out', 'half-pipe', 'spring'] as const) {
       expect(lawOf(id, smooth).turnMatters, id).toBe(false)
       expect(lawOf(id, { ...smooth, muStatic: 0.1 }).turnMatters, id).toBe(true)
-      expect(lawOf(id, { ...smooth, muKinetic: 0.1 }).turnMatters, id).toBe(true)
     }
     expect(lawOf('fall').turnMatters).toBe(false)
     expect(lawOf('fall', { drag: 0.1 }).turnMatters).toBe(true)
-    expect(lawOf('run-out', smooth).turnMatters).toBe(true)
   })
 
-  it('says that a force depends on the speed under drag, and under friction where the track bends', () => {
-    expect(lawOf('fall').dependsOnSpeed).toBe(false)
-    expect(lawOf('fall', { drag: 0.1 }).dependsOnSpeed).toBe(true)
-    for (const id of ['ramp', 'spring'] as const) expect(lawOf(id).dependsOnSpeed, id).toBe(false)
-    for (const id of ['run-out', 'half-pipe'] as const) {
-      expect(lawOf(id, smooth).dependsOnSpeed, id).toBe(false)
-      expect(lawOf(id, { muKinetic: 0.1 }).dependsOnSpeed, id).toBe(true)
-    }
-  })
-
-  it('knows where its track has joints, and which have ends', () => {
-    const ends = scenes.map(({ id }) => [id, lawOf(id).joints.length, lawOf(id).open])
+  it('has a track of pieces end to end, closed or open as the scene is', () => {
+    const ends = scenes.map(({ id }) => {
+      const { track } = lawOf(id)
+      for (const [i, piece] of track.slice(1).entries()) expect(piece.from).toBe(track[i]!.to)
+      return [id, track.length, track[0]!.from > -Infinity, track.at(-1)!.to < Infinity]
+    })
     expect(ends).toEqual(
       expect.arrayContaining([
-        ['fall', 0, false],
-        ['ramp', 0, false],
-        ['run-out', 2, false],
-        ['half-pipe', 2, true],
-        ['spring', 0, false],
+        ['fall', 1, false, false],
+        ['ramp', 1, false, false],
+        ['run-out', 3, false, false],
+        ['half-pipe', 1, true, true],
+        ['spring', 1, false, false],
       ]),
     )
-    expect(lawOf('half-pipe', { radius: 3 }).joints).toEqual([-1.5 * Math.PI, 1.5 * Math.PI])
-    const [top, foot] = lawOf('run-out', { angle: 60, length: 2, bendRadius: 3 }).joints
-    expect(top).toBe(2)
-    expect(foot).toBeCloseTo(2 + Math.PI, 14)
-    for (const { id } of scenes) expect(lawOf(id).forces.length).toBe(lawOf(id).joints.length + 1)
+    const [pipe] = lawOf('half-pipe', { radius: 3 }).track
+    expect([pipe!.from, pipe!.to]).toEqual([-1.5 * Math.PI, 1.5 * Math.PI])
+    const [, bend] = lawOf('run-out', { angle: 60, length: 2, bendRadius: 3 }).track
+    expect(bend!.from).toBe(2)
+    expect(bend!.to).toBeCloseTo(2 + Math.PI, 14)
   })
 
   it('bounds the speed far above what is real, closely for a spring', () => {

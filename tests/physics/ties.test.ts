@@ -127,7 +127,8 @@ it('a spring that stops where k x = μs N stays there', () => {
       muKinetic: experiment.parameters!.muStatic!,
       position: 3 * position,
     }
-    const omega = Math.sqrt(parameters.stiffness! / parameters.mass!)
+    const { stiffness, mass } = experiment.parameters!
+    const omega = Math.sqrt(stiffness! / mass!)
     const swing = {
       ...experiment,
       parameters,

@@ -50,7 +50,7 @@ describe('the trace of a frame', () => {
           for (const { a, drive, v } of standings) expect([a, v]).toEqual([drive, 0])
           let begins = 0
           let at = from
-          for (const { begins: start, tries, jump } of stretches) {
+          for (const { begins: start, tries, ends } of stretches) {
             // A sum of a few lengths of time, each rounded.
             expect(Math.abs(start - begins)).toBeLessThanOrEqual(4 * Number.EPSILON)
             for (const tried of tries) {
@@ -65,8 +65,8 @@ describe('the trace of a frame', () => {
             }
             begins = start + tries.at(-1)!.dt
             const end = stretches.find((each) => each.begins > start)?.tries[0]!.from ?? to
-            if (jump === 'stop') expect(end.v).toBe(0)
-            else if (jump === undefined) expect(end).toEqual(tries.at(-1)!.to)
+            if (ends === 'stop') expect(end.v).toBe(0)
+            else if (ends === undefined) expect(end).toEqual(tries.at(-1)!.to)
             at = end
           }
           expect(at).toEqual(to)
@@ -87,7 +87,7 @@ describe('the trace of a frame', () => {
     expect(step!.outcome).toBe('at-rest')
     expect(step!.to.v).toBe(0)
     const [stretch] = step!.stretches
-    expect(stretch!.jump).toBe('stop')
+    expect(stretch!.ends).toBe('stop')
     expect(stretch!.tries[0]!.dt).toBe(0.1)
     expect(stretch!.tries[0]!.to.v).toBeGreaterThan(0)
     const kept = stretch!.tries.at(-1)!
@@ -145,12 +145,12 @@ describe('the trace of a frame', () => {
       frames: { kind: 'steady', fps: 2 },
       duration: 1,
     }
-    const jumps = [1, 2].flatMap((frame) =>
-      traceFrame(run, frame).flatMap(({ stretches }) => stretches.map(({ jump }) => jump)),
+    const all = [1, 2].flatMap((frame) =>
+      traceFrame(run, frame).flatMap(({ stretches }) => stretches.map(({ ends }) => ends)),
     )
-    expect(jumps).toContain('joint')
+    expect(all).toContain('joint')
     // A step that nothing cuts ends with none.
-    expect(jumps).toContain(undefined)
+    expect(all).toContain(undefined)
   })
 
   it('refuses a frame that the run does not have', () => {

@@ -74,7 +74,8 @@ describe('a handwritten loop does the same job as simulate', () => {
       expect(block.slip).toBe(0)
       expect(block.s).toBeCloseTo(Math.PI, 12)
       expect(block.v).toBeCloseTo(run.v[run.frames]!, 11)
-      expect(block.heat).toBeCloseTo(run.heat[run.frames]!, 5)
+      // As above: the loop's sum of heat is of the second order.
+      expect(Math.abs(block.heat - run.heat[run.frames]!)).toBeLessThan(1e-6 * (1 + block.heat))
       expect(block.clock.time).toBe(10)
     },
   )

@@ -1,8 +1,8 @@
 import { AxeBuilder } from '@axe-core/playwright'
 import { describe, expect, test } from 'vitest'
-import { initialValues } from '../../src/figure/figures/control.ts'
-import { figures } from '../../src/figure/figures/index.ts'
-import { openingView } from '../../src/figure/figures/still.ts'
+import { initialValues } from '../../src/figures/shared/control.ts'
+import { figures } from '../../src/figures/index.ts'
+import { openingView } from '../../src/figures/shared/still.ts'
 import { openFigures } from './figurePage.ts'
 
 const ids = figures.map(({ id }) => id)

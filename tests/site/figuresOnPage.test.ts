@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { figures } from '../../src/figure/figures/index.ts'
+import { figures } from '../../src/figures/index.ts'
 import { openPage } from './page.ts'
 
 // At these widths of the page; the last figure is another element, which says for itself how much room it takes.

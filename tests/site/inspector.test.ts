@@ -1,8 +1,8 @@
 import { AxeBuilder } from '@axe-core/playwright'
 import { expect, test } from 'vitest'
 import { simulate, traceFrame } from '../../src/physics/index.ts'
-import { experimentOf } from '../../src/figure/check.ts'
-import { numeral } from '../../src/figure/inspector/said.ts'
+import { experimentOf } from '../../src/lab/state/check.ts'
+import { numeral } from '../../src/chart/magnitudes.ts'
 import { openLab } from './labPage.ts'
 
 async function openInspector(...options: Parameters<typeof openLab>) {

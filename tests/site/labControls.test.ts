@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest'
 import { frameClocks, integrators, scenes, stoppings, timesteps } from '../../src/physics/index.ts'
 import type { Option } from '../../src/physics/index.ts'
-import { modes } from '../../src/figure/modes.ts'
-import { openingOf } from '../../src/figure/opening.ts'
+import { modes } from '../../src/lab/state/modes.ts'
+import { openingOf } from '../../src/lab/state/opening.ts'
 import { openLab } from './labPage.ts'
 import type { Picture } from './picture.ts'
 
@@ -81,7 +81,7 @@ describe('a runner', () => {
     await page.getByRole('button', { name: 'Show 10 fps' }).click()
     expect(await spread()).toBe('0.23\u2009m')
     await page.getByRole('button', { name: 'Duplicate 30 fps' }).click()
-    expect((await state()).runners[2]).toEqual({ ...(await state()).runners[1], look: 3 })
+    expect((await state()).runners[2]).toEqual({ ...(await state()).runners[1], paletteIndex: 3 })
     await page.getByRole('button', { name: 'Remove 10 fps' }).click()
     expect(await rows.count()).toBe(3)
     const add = page.getByRole('button', { name: 'Add a runner' })

@@ -1,10 +1,11 @@
 import { expect, test } from 'vitest'
 import { exactMotion, simulate } from '../../src/physics/index.ts'
 import type { Trajectory } from '../../src/physics/index.ts'
-import { readAddress } from '../../src/figure/address.ts'
-import { experimentOf } from '../../src/figure/check.ts'
-import { errorText, lengthText } from '../../src/figure/errorText.ts'
-import { Simulation } from '../../src/figure/simulation.ts'
+import { readAddress } from '../../src/lab/state/address.ts'
+import { experimentOf } from '../../src/lab/state/check.ts'
+import { lengthText } from '../../src/chart/numbers.ts'
+import { errorText } from '../../src/panels/runners/results.ts'
+import { Simulation } from '../../src/lab/state/simulation.ts'
 import { openLab } from './labPage.ts'
 
 const columns = ['time', 'stateTime', 's', 'v', 'drawnS', 'heat'] as const

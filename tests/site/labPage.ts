@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core'
 import { expect } from 'vitest'
-import type { LabState } from '../../src/figure/state.ts'
+import type { LabState } from '../../src/lab/state/state.ts'
 import { openPage } from './page.ts'
 import { Picture } from './picture.ts'
 

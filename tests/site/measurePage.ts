@@ -1,5 +1,5 @@
 import type { Page } from 'playwright-core'
-import { opening } from '../../src/figure/opening.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { openLab } from './labPage.ts'
 

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { AxeBuilder } from '@axe-core/playwright'
 import { describe, expect, test } from 'vitest'
-import type { LabState } from '../../src/figure/state.ts'
+import type { LabState } from '../../src/lab/state/state.ts'
 import { frameRateSpread, paperMethod } from '../../src/measure/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import type { Report } from '../../src/report/schema.ts'
@@ -19,7 +19,7 @@ test.each([
     /^6\d(\.\d)?\sms \(left the track at 0\.39 to 0\.4\d\ss\)$/,
   ],
   [
-    'scene=spring&stiffness=4000&position=1&runners=10/velocity-verlet;240/velocity-verlet',
+    'scene=spring&stiffness=4000&muStatic=0&muKinetic=0&position=1&runners=10/velocity-verlet;240/velocity-verlet',
     /^different outcomes \(diverged, (moving|at rest)\)$/,
   ],
 ])('runs that do not end alike on the track are said not to: %s', async (address, text) => {

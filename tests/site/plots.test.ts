@@ -1,10 +1,10 @@
 import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
-import type { Drawing } from '../../src/figure/plots/curves.ts'
-import { boxOf } from '../../src/figure/plots/box.ts'
-import { experimentOf } from '../../src/figure/check.ts'
-import { opening } from '../../src/figure/opening.ts'
+import type { Drawing } from '../../src/panels/plots/curves.ts'
+import { boxOf } from '../../src/panels/plots/chart.ts'
+import { experimentOf } from '../../src/lab/state/check.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import { exact, simulate } from '../../src/physics/index.ts'
 import { openLab } from './labPage.ts'
 
@@ -79,8 +79,8 @@ test('what is plotted is what simulate gives, and follows a change', async () =>
     all = runs,
   ) => {
     const curves = await lab.drawing(id)
-    all.forEach((run, look) => {
-      const { x, y, time } = curves.find((each) => each.look === look)!
+    all.forEach((run, paletteIndex) => {
+      const { x, y, time } = curves.find((each) => each.paletteIndex === paletteIndex)!
       expect(y.length).toBeGreaterThan(7)
       x.forEach((_, i) => {
         const row = run.time.indexOf(time[i]!)
@@ -274,12 +274,10 @@ test('on a phone there is one plot at a time', async () => {
   expect(await lab.values('error')).toEqual(['0.246\u2009m', '0.082\u2009m', '0.021\u2009m'])
 })
 
-test('the fall with drag says why there is no energy residual', async () => {
+test('the energy residual of a fall with drag is drawn, and says that it counts the heat of drag', async () => {
   const lab = await openPlots('scene=fall')
-  expect(await lab.area('energy').innerText()).toContain('the heat of drag is not counted')
-  await lab.goTo('scene=fall&drag=0')
   await lab.plot('energy').locator('canvas.chart').waitFor()
-  expect(await lab.plot('energy').locator('.absent').count()).toBe(0)
+  expect(await lab.plot('energy').locator('figcaption').innerText()).toContain('friction and drag')
   expect(lab.problems).toEqual([])
 })
 

@@ -1,7 +1,7 @@
 import { AxeBuilder } from '@axe-core/playwright'
 import { expect, test } from 'vitest'
-import { opening } from '../../src/figure/opening.ts'
-import { presets } from '../../src/figure/presets/index.ts'
+import { opening } from '../../src/lab/state/opening.ts'
+import { presets } from '../../src/lab/presets/index.ts'
 import { openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { opening } from '../../src/figure/opening.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 import { mappedExperiment, presentationErrors, rateAt, valueAt } from '../../src/measure/index.ts'
 import type { MapRequest } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'
@@ -51,7 +51,7 @@ describe('the frame-rate map', () => {
   })
 
   test('is read by keys, has a table, and a legend for what blew up', async () => {
-    const lab = await openMeasures('scene=spring&runners=30/located')
+    const lab = await openMeasures('scene=spring&muStatic=0&muKinetic=0&runners=30/located')
     await lab.view('Frame-rate map')
     await lab.ready()
     expect(await lab.page.locator('rate-map .limit').count()).toBe(1)

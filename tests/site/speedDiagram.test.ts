@@ -1,5 +1,7 @@
-import { describe, expect, test } from 'vitest'
-import { opening } from '../../src/figure/opening.ts'
+import { readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { describe, expect, inject, test } from 'vitest'
+import { opening } from '../../src/lab/state/opening.ts'
 import {
   presentationErrors,
   sweepMethods,
@@ -9,6 +11,19 @@ import {
 import { simulate } from '../../src/physics/index.ts'
 import { swept, ENGINES, forbidWorkers, openMeasures, sweptIn, press } from './measurePage.ts'
 import type { Counted } from './measurePage.ts'
+
+test('the worker loads nothing that needs a page', () => {
+  const assets = join(inject('folder'), 'assets')
+  const loaded = new Set(readdirSync(assets).filter((name) => /^measureWorker-.*\.js$/.test(name)))
+  expect(loaded.size).toBe(1)
+  // A set that grows while it is gone through is gone through to its end.
+  for (const name of loaded)
+    for (const [, other] of readFileSync(join(assets, name), 'utf8').matchAll(/from"\.\/([^"]+)"/g))
+      loaded.add(other!)
+  const needsPage = (name: string) =>
+    readFileSync(join(assets, name), 'utf8').includes('HTMLElement')
+  expect([...loaded].filter(needsPage)).toEqual([])
+})
 
 describe('speed against error', () => {
   test('is single runs of simulate, in the diagram, in the table and in words', async () => {
@@ -62,8 +77,8 @@ describe('speed against error', () => {
     )
     await press(lab.page, 'Enter')
     const state = await lab.state()
-    const { look, hidden, ...method } = state.runners[0]!
-    expect({ look, hidden }).toEqual({ look: 0, hidden: false })
+    const { paletteIndex, hidden, ...method } = state.runners[0]!
+    expect({ paletteIndex, hidden }).toEqual({ paletteIndex: 0, hidden: false })
     expect(method).toEqual({
       frames: { kind: 'steady', fps: 10 },
       timestep: { kind: 'variable' },

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
-import { readAddress } from '../../src/figure/address.ts'
-import { experimentOf } from '../../src/figure/check.ts'
-import type { Change } from '../../src/figure/state.ts'
+import { readAddress } from '../../src/lab/state/address.ts'
+import { experimentOf } from '../../src/lab/state/check.ts'
+import type { Change } from '../../src/lab/state/change.ts'
 import { integrators, scenes, simulate } from '../../src/physics/index.ts'
 import { openLab } from './labPage.ts'
 
@@ -183,7 +183,7 @@ test('after two hundred changes of scene the memory is what it was', async () =>
       },
       { sceneIds, times },
     )
-  // The first rounds load what is loaded late, compile it, and fill the past, which keeps 200 changes.
+  // The first rounds load what is loaded late, compile it, and fill the history, which keeps 200 changes.
   await round(250)
   const before = await used()
   await round(200)

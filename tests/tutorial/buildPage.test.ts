@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
-import { figures } from '../../src/figure/figures/index.ts'
+import { figures } from '../../src/figures/index.ts'
 import { loadPage } from '../../src/tutorial/build/load.ts'
 
 const root = join(import.meta.dirname, '../..')

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { styleClasses } from '../../src/tutorial/build/styleClasses.ts'
+import { styleClasses } from '../../src/tutorial/build/plugin.ts'
 
 test('style attributes become classes, alike ones the same, beside those that are there', () => {
   const { html, css } = styleClasses(

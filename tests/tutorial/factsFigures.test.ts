@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import { readValues } from '../../src/figure/figures/control.ts'
-import { figures } from '../../src/figure/figures/index.ts'
+import { readValues } from '../../src/figures/shared/control.ts'
+import { figures } from '../../src/figures/index.ts'
 import { mechanicalEnergy } from '../../src/measure/index.ts'
 import { exact, forcesAt, length, simulate } from '../../src/physics/index.ts'
 import type { Trajectory } from '../../src/physics/index.ts'

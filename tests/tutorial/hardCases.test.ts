@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { readAddress } from '../../src/figure/address.ts'
+import { readAddress } from '../../src/lab/state/address.ts'
 import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import type { Claim } from '../../src/measure/hardCases/claim.ts'
 import { hardCases } from '../../src/measure/index.ts'

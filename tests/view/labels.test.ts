@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
-import { overlap } from '../../src/view/geometry.ts'
-import type { Box } from '../../src/view/geometry.ts'
+import { overlap } from '../../src/chart/geometry.ts'
+import type { Box } from '../../src/chart/geometry.ts'
 import { placeColumn, placeLabels } from '../../src/view/labels.ts'
 import type { Pole } from '../../src/view/labels.ts'
 

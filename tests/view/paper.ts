@@ -1,5 +1,5 @@
 import { vi } from 'vitest'
-import type { Box, Point } from '../../src/view/geometry.ts'
+import type { Box, Point } from '../../src/chart/geometry.ts'
 import type { Palette } from '../../src/view/palette.ts'
 
 /** A word as it stands on a paper, and a straight line. */

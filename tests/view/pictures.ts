@@ -13,10 +13,10 @@ export function pictureOf(
     parameters,
     duration,
     time: 0,
-    runners: rates.map((fps, look) => ({
+    runners: rates.map((fps, paletteIndex) => ({
       trajectory: simulate({ ...experiment, frames: { kind: 'steady', fps } }),
       name: `${fps} fps`,
-      look,
+      paletteIndex,
     })),
     exact: exactMotion(experiment),
   }

@@ -13,11 +13,11 @@ export const explicitEuler = {
   symplectic: false,
   evaluations: { least: 1, most: 1 },
   colour: 0,
-  // #region step
   step: (motion) => {
+    // #region step
     const { s, v, dt } = motion
     motion.v = v + motion.acceleration(s, v) * dt
     motion.s = s + v * dt
+    // #endregion
   },
-  // #endregion
 } as const satisfies Integrator

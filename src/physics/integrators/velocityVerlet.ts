@@ -18,16 +18,16 @@ export const velocityVerlet = {
   symplectic: true,
   evaluations: { least: 1, most: 2 },
   colour: 2,
-  // #region step
   step: (motion) => {
+    // #region step
     const { s, v, dt } = motion
     if (!motion.known) motion.a = motion.acceleration(s, v)
     const { a } = motion
     motion.s = s + (v + 0.5 * a * dt) * dt
     motion.a = motion.acceleration(motion.s, v + a * dt)
     motion.v = v + 0.5 * (a + motion.a) * dt
-    // This step's last acceleration is the next step's first, unless the force depends on the velocity.
+    // It serves the next step too, where the force ignores v.
     motion.known = motion.reusable
+    // #endregion
   },
-  // #endregion
 } as const satisfies Integrator

@@ -8,8 +8,8 @@ export const clamped = {
     'A step that would turn the velocity round ends with v = 0 instead: what games do. At rest, but up to a frame too late.',
   keepsOrder: false,
   holdsSlip: true,
-  // #region step
   step: (motion, integrator) => {
+    // #region step
     const { slip, startS } = motion
     integrator.step(motion)
     const reversed = slip > 0 ? motion.v < 0 : motion.v > 0
@@ -18,6 +18,6 @@ export const clamped = {
       // Friction brings a block to a stop; it does not push it back beyond where the step began.
       motion.s = slip > 0 ? Math.max(motion.s, startS) : Math.min(motion.s, startS)
     }
+    // #endregion
   },
-  // #endregion
 } as const satisfies StoppingRule

@@ -37,8 +37,8 @@ export const fixed = {
   losesTime: false,
   steps: ({ step, maxSteps }: Values<typeof options>, duration: number, frames: number) =>
     Math.min(duration / step, maxSteps * frames),
-  // #region advance
   start: ({ step, maxSteps, draw }: Values<typeof options>) => {
+    // #region advance
     let taken = 0
     let dropped = 0
     // A field, since engines box a number that a closure keeps changing.
@@ -64,6 +64,6 @@ export const fixed = {
       if (draw === 'interpolated' && taken > 0)
         frame.drawnS = before.s + (motion.s - before.s) * (accumulator / step)
     }
+    // #endregion
   },
-  // #endregion
 } as const satisfies TimestepPolicy

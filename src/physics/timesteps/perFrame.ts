@@ -13,14 +13,14 @@ export const perFrame = {
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,
-  // #region advance
   start: ({ step }: Values<typeof options>) => {
     let steps = 0
     return (frame) => {
+      // #region advance
       frame.motion.dt = step
       frame.step()
+      // #endregion
       frame.stateTime = ++steps * step
     }
   },
-  // #endregion
 } as const satisfies TimestepPolicy

@@ -8,11 +8,11 @@ export const variable = {
   options: {},
   losesTime: false,
   steps: (_, __, frames) => frames,
-  // #region advance
   start: () => (frame) => {
+    // #region advance
     frame.motion.dt = frame.frameDuration
     frame.step()
+    // #endregion
     frame.stateTime = frame.time
   },
-  // #endregion
 } as const satisfies TimestepPolicy

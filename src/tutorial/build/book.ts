@@ -1,6 +1,7 @@
-import type { Materials, FigureInfo } from './materials.ts'
+import type { Highlight } from './highlight.ts'
+import type { FigureInfo, Materials } from './materials.ts'
 import { instead } from './problem.ts'
-import type { Place, TextProblem } from './problem.ts'
+import type { TextPlace, TextProblem } from './problem.ts'
 
 /** An entry of the table of contents. */
 export interface Chapter {
@@ -14,8 +15,8 @@ export interface Chapter {
 export class Book {
   readonly problems: TextProblem[] = []
   readonly chapters: Chapter[] = []
-  private readonly ids = new Map<string, Place | undefined>()
-  private readonly links: { readonly id: string; readonly place: Place }[] = []
+  private readonly ids = new Map<string, TextPlace | undefined>()
+  private readonly links: { readonly id: string; readonly place: TextPlace }[] = []
   private placed = 0
   readonly materials: Materials
 
@@ -24,12 +25,12 @@ export class Book {
     for (const id of materials.pageIds) this.ids.set(id, undefined)
   }
 
-  report({ file, line }: Place, message: string): void {
+  report({ file, line }: TextPlace, message: string): void {
     this.problems.push({ file, line, message })
   }
 
   /** Gives an id to a place of the page. */
-  give(id: string, place: Place): void {
+  give(id: string, place: TextPlace): void {
     if (this.ids.has(id)) {
       const other = this.ids.get(id)
       const where = other ? `in ${other.file}:${other.line}` : 'in index.html'
@@ -38,7 +39,7 @@ export class Book {
   }
 
   /** Remembers a link to a place of the page, to be checked when all are known. */
-  link(id: string, place: Place): void {
+  link(id: string, place: TextPlace): void {
     this.links.push({ id, place })
   }
 
@@ -55,7 +56,7 @@ export class Book {
   }
 
   /** A figure by name. */
-  figure(id: string, place: Place): FigureInfo | undefined {
+  figure(id: string, place: TextPlace): FigureInfo | undefined {
     const { figures } = this.materials
     const found = figures.find((figure) => figure.id === id)
     if (!found) {
@@ -64,4 +65,18 @@ export class Book {
     }
     return found
   }
+}
+
+/** What markdown-it hands to every rule: of which book and file a piece of text is. */
+export type Env = {
+  readonly book: Book
+  readonly highlight: Highlight
+  readonly file: string
+  /** The line of the file on which the piece begins, counted from 0. */
+  readonly firstLine: number
+}
+
+/** The place of a line of the piece, counted from 0. */
+export function placeOf({ file, firstLine }: Env, line: number): TextPlace {
+  return { file, line: firstLine + line + 1 }
 }

@@ -1,7 +1,7 @@
-import { placeOf } from './env.ts'
-import type { Env } from './env.ts'
+import { attributes, escaped } from '../still/html.ts'
+import { placeOf } from './book.ts'
+import type { Env } from './book.ts'
 import { languages } from './highlight.ts'
-import { attributes, escaped } from './html.ts'
 import { instead } from './problem.ts'
 import { regionOf, regionsOf } from './region.ts'
 

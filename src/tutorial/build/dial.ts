@@ -1,8 +1,8 @@
-import type { Brace } from './braces.ts'
+import { attributes, escaped } from '../still/html.ts'
 import type { Book } from './book.ts'
-import { attributes, escaped } from './html.ts'
-import type { Place } from './problem.ts'
+import type { Brace } from './braces.ts'
 import { wrongValue } from './presets.ts'
+import type { TextPlace } from './problem.ts'
 
 type Dial = Extract<Brace, { kind: 'dial' }>
 
@@ -10,7 +10,7 @@ type Dial = Extract<Brace, { kind: 'dial' }>
  * A number that the page's script turns into a field to drag and to type in. Without it, it is a number. It must be the
  * one that the figure opens with.
  */
-export function dialHtml(dial: Dial, book: Book, place: Place): string {
+export function dialHtml(dial: Dial, book: Book, place: TextPlace): string {
   const { figure: id, control: name, value, unit } = dial
   const figure = book.figure(id, place)
   const control = figure?.controls[name]

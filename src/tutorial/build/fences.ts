@@ -1,7 +1,8 @@
 import type { MarkdownIt } from 'markdown-it'
+import { attributes } from '../still/html.ts'
+import { placeOf } from './book.ts'
+import type { Env } from './book.ts'
 import { codeHtml, sourceHtml, takeHomeHtml } from './code.ts'
-import type { Env } from './env.ts'
-import { figureHtml } from './figures.ts'
 import { hardCasesHtml } from './hardCases.ts'
 
 /** Fenced blocks: a figure, lines of the project's own source, the take-home files, the hard cases, or code in a language. */
@@ -19,4 +20,20 @@ export function fences(md: MarkdownIt): void {
       ? figureHtml(env, argument, caption, line)
       : sourceHtml(env, argument, caption, line)
   }
+}
+
+/** A figure with its still picture, which stays where there is no JavaScript, and its caption. */
+function figureHtml(env: Env, name: string, caption: string, line: number): string {
+  const { book } = env
+  const place = placeOf(env, line)
+  const figure = book.figure(name, place)
+  const id = `figure-${name}`
+  book.give(id, place)
+  const label = `<a href="#${id}">Figure ${book.nextFigure()}</a>`
+  if (!caption) book.report(place, `the figure “${name}” has no caption`)
+  const words = caption.replace(/^<p>/, `<p><span class="figure-number">${label}.</span> `)
+  const attrs = attributes({ name, style: figure?.frame })
+  const element = `<slide-figure${attrs}>${figure?.still ?? ''}</slide-figure>`
+  return `<figure class="figure" id="${id}">${element}
+<figcaption>${words}</figcaption></figure>\n`
 }

@@ -1,8 +1,8 @@
+import { attributes, escaped } from '../still/html.ts'
 import type { Bound } from '../../measure/hardCases/bound.ts'
 import type { Claim, Unit } from '../../measure/hardCases/claim.ts'
 import type { Result } from '../../measure/hardCases/results.ts'
-import { count, metres, plain, raw } from '../../view/numbers.ts'
-import { attributes, escaped } from './html.ts'
+import { count, metres, plain, raw } from '../../chart/numbers.ts'
 
 const thin = '\u2009'
 const ROUNDING = '0 (to rounding)'

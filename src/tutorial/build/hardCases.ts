@@ -1,14 +1,14 @@
-import { writeAddress } from '../../figure/address.ts'
-import { groups, presetsOf } from '../../figure/presets/hardCases.ts'
-import type { Preset } from '../../figure/presets/preset.ts'
+import { attributes, escaped } from '../still/html.ts'
 import { hardCaseClaims } from '../../measure/hardCases/claims.ts'
 import { hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
 import { hardCaseResults } from '../../measure/hardCases/results.ts'
-import { placeOf } from './env.ts'
-import type { Env } from './env.ts'
+import { groups, presetsOf } from '../../lab/presets/hardCases.ts'
+import type { Preset } from '../../lab/presets/preset.ts'
+import { writeAddress } from '../../lab/state/address.ts'
+import { placeOf } from './book.ts'
+import type { Env } from './book.ts'
 import { claimRow } from './hardCaseFigures.ts'
-import { attributes, escaped } from './html.ts'
 
 /** The hard cases: what to watch, every bound and what was measured, and links into the lab. A table for each kind. */
 export function hardCasesHtml(env: Env, line: number): string {

@@ -1,7 +1,6 @@
 import type { MarkdownIt, Token } from 'markdown-it'
-import type { Chapter } from './book.ts'
-import { placeOf } from './env.ts'
-import type { Env } from './env.ts'
+import { placeOf } from './book.ts'
+import type { Chapter, Env } from './book.ts'
 
 /** `01-what-moves.md` is section 1 with the id `what-moves`; `references.md` has no number. */
 export function nameOf(path: string): { id: string; number: number | undefined } {

@@ -1,5 +1,5 @@
 import { createCssVariablesTheme, createHighlighter } from 'shiki'
-import { escaped } from './html.ts'
+import { escaped } from '../still/html.ts'
 import { words } from './spans.ts'
 
 /** Turns source text into HTML, a `<span>` a line. */

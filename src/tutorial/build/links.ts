@@ -1,8 +1,8 @@
 import { ExperimentError } from '../../physics/index.ts'
-import { readAddress } from '../../figure/address.ts'
+import { readAddress } from '../../lab/state/address.ts'
 import type { Book } from './book.ts'
 import { presetOf, wrongValue } from './presets.ts'
-import type { Place } from './problem.ts'
+import type { TextPlace } from './problem.ts'
 
 /** What a link becomes on the page. */
 interface Link {
@@ -14,7 +14,7 @@ interface Link {
  * A link of the text: to a place of the page (`#id`), to another site (`https:`), one that sets a figure
  * (`set:figure?control=value`), or one that opens an experiment in the lab (`lab:?scene=…`).
  */
-export function resolveLink(href: string, book: Book, place: Place): Link {
+export function resolveLink(href: string, book: Book, place: TextPlace): Link {
   if (href.startsWith('#')) {
     book.link(href.slice(1), place)
     return { href, attributes: [] }
@@ -27,7 +27,7 @@ export function resolveLink(href: string, book: Book, place: Place): Link {
 }
 
 /** Without JavaScript it leads to the figure. */
-function presetLink(address: string, book: Book, place: Place): Link {
+function presetLink(address: string, book: Book, place: TextPlace): Link {
   const { figure: id, values } = presetOf(address)
   const figure = book.figure(id, place)
   book.link(`figure-${id}`, place)
@@ -41,7 +41,7 @@ function presetLink(address: string, book: Book, place: Place): Link {
   return { href: `#figure-${id}`, attributes: [['data-set', address]] }
 }
 
-function labLink(address: string, book: Book, place: Place): Link {
+function labLink(address: string, book: Book, place: TextPlace): Link {
   try {
     readAddress(address)
   } catch (error) {

@@ -1,14 +1,13 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join, resolve } from 'node:path'
-import { figures } from '../../figure/figures/index.ts'
-import type { Figure } from '../../figure/figures/figure.ts'
-import { frameOf } from '../../figure/figures/frame.ts'
 import { facts } from '../facts/index.ts'
+import { figureStill, labStill } from '../still/stills.ts'
+import { figures } from '../../figures/index.ts'
+import type { Figure } from '../../figures/shared/figure.ts'
+import { frameOf } from '../../figures/shared/frame.ts'
 import { highlighter } from './highlight.ts'
 import type { FigureInfo, Materials, TextFile } from './materials.ts'
 import { TextError } from './problem.ts'
-import { figureStill } from './still/figureStill.ts'
-import { labStill } from './still/labStill.ts'
 import { tutorialHtml } from './tutorial.ts'
 
 /** The order in which the take-home languages are shown. */

@@ -1,4 +1,4 @@
-import type { Figure } from '../../figure/figures/figure.ts'
+import type { Figure } from '../../figures/shared/figure.ts'
 
 /** A figure as the text needs it. */
 export interface FigureInfo extends Pick<Figure, 'id' | 'title' | 'controls'> {

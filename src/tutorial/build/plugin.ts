@@ -2,7 +2,6 @@ import { resolve } from 'node:path'
 import { runnerImport } from 'vite'
 import type { Plugin } from 'vite'
 import type * as Load from './load.ts'
-import { styleClasses } from './styleClasses.ts'
 
 /** What stands in index.html in place of the tutorial, and of the lab's still. */
 const TUTORIAL = '<!-- tutorial -->'
@@ -50,4 +49,22 @@ export function tutorial(): Plugin {
       server.ws.send({ type: 'full-reload' })
     },
   }
+}
+
+/**
+ * HTML whose style attributes are classes, and the rules of these: a host may forbid styles in the page itself, and a
+ * rule that many elements share is written once.
+ */
+export function styleClasses(html: string): { html: string; css: string } {
+  const names = new Map<string, string>()
+  const bare = html.replace(/<[a-z][^<>]*\sstyle="([^"]*)"[^<>]*>/g, (tag, style: string) => {
+    const name = names.get(style) ?? `style-${names.size}`
+    names.set(style, name)
+    const rest = tag.replace(/\sstyle="[^"]*"/, '')
+    return rest.includes(' class="')
+      ? rest.replace(' class="', ` class="${name} `)
+      : rest.replace(/^<[\w-]+/, `$& class="${name}"`)
+  })
+  const rules = [...names].map(([style, name]) => `.${name} { ${style} }\n`)
+  return { html: bare, css: rules.join('') }
 }

@@ -1,16 +1,16 @@
-import { readValues } from '../../figure/figures/control.ts'
+import { readValues } from '../../figures/shared/control.ts'
 import type { FigureInfo } from './materials.ts'
 import { instead } from './problem.ts'
 
 /** What a `set:` link asks of a figure. */
-export interface Preset {
+export interface FigureSetting {
   readonly figure: string
   /** By name of the control, as written. */
   readonly values: readonly (readonly [name: string, value: string])[]
 }
 
 /** Reads what follows `set:`: `falling-ball?fps=15&angle=30`. */
-export function presetOf(address: string): Preset {
+export function presetOf(address: string): FigureSetting {
   const [figure = '', query = ''] = address.split('?')
   return { figure, values: [...new URLSearchParams(query)] }
 }

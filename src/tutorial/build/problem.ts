@@ -1,5 +1,5 @@
 /** Where something stands in the text. */
-export interface Place {
+export interface TextPlace {
   /** The file, as from the project's root. */
   readonly file: string
   /** Counted from 1. */
@@ -7,7 +7,7 @@ export interface Place {
 }
 
 /** Something in the text that has to be mended before it can be a page. */
-export interface TextProblem extends Place {
+export interface TextProblem extends TextPlace {
   readonly message: string
 }
 

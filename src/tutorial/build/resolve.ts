@@ -1,13 +1,13 @@
 import type { MarkdownIt, Token } from 'markdown-it'
+import { escaped } from '../still/html.ts'
+import { placeOf } from './book.ts'
+import type { Env } from './book.ts'
 import type { Brace } from './braces.ts'
 import { dialHtml } from './dial.ts'
-import { placeOf } from './env.ts'
-import type { Env } from './env.ts'
-import { escaped } from './html.ts'
 import { resolveLink } from './links.ts'
 import { mathml } from './maths.ts'
 import { instead } from './problem.ts'
-import type { Place } from './problem.ts'
+import type { TextPlace } from './problem.ts'
 import { words } from './spans.ts'
 
 /** Gives everything that the text names its meaning: facts, figures, links, terms, maths. Here its line is known. */
@@ -70,7 +70,7 @@ function resolveMaths(token: Token, display: boolean, env: Env, line: number): v
   }
 }
 
-function braceHtml(brace: Brace, { book }: Env, place: Place): string {
+function braceHtml(brace: Brace, { book }: Env, place: TextPlace): string {
   if (brace.kind === 'dial') return dialHtml(brace, book, place)
   const { facts } = book.materials
   const fact = Object.hasOwn(facts, brace.name) ? facts[brace.name] : undefined
@@ -79,7 +79,7 @@ function braceHtml(brace: Brace, { book }: Env, place: Place): string {
   return ''
 }
 
-function resolveSpan(token: Token, { book }: Env, place: Place): void {
+function resolveSpan(token: Token, { book }: Env, place: TextPlace): void {
   const { name } = token.meta as { name: string }
   if (token.tag === 'dfn') {
     book.give(name, place)

@@ -1,6 +1,6 @@
+import { escaped } from '../still/html.ts'
 import { Book } from './book.ts'
-import { contentsHtml } from './contents.ts'
-import type { Env } from './env.ts'
+import type { Chapter, Env } from './book.ts'
 import { nameOf } from './headings.ts'
 import type { Highlight } from './highlight.ts'
 import { markdown } from './markdown.ts'
@@ -30,4 +30,18 @@ ${sections.join('\n')}
 </article>
 </div>`
   return { html, problems: book.problems }
+}
+
+/** The table of contents. The page’s script closes it on narrow screens. */
+function contentsHtml(chapters: readonly Chapter[]): string {
+  const items = chapters.map(({ id, title, number }) => {
+    const numeral = `<span class="numeral">${number ?? ''}</span>`
+    return `<li><a href="#${id}">${numeral}<span>${escaped(title)}</span></a></li>`
+  })
+  return `<nav class="contents" aria-label="Contents">
+<details open><summary>Contents</summary>
+<ul role="list">
+${items.join('\n')}
+</ul></details>
+</nav>`
 }

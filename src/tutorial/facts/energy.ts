@@ -1,7 +1,7 @@
-import { mechanicalEnergy, stabilityLimit } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
-import { count, fixed, seconds } from '../../view/numbers.ts'
+import { mechanicalEnergy, stabilityLimit } from '../../measure/index.ts'
+import { count, fixed, seconds } from '../../chart/numbers.ts'
 import { percent } from './fact.ts'
 import type { Facts } from './fact.ts'
 

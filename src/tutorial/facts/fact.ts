@@ -1,4 +1,4 @@
-import { plain } from '../../view/numbers.ts'
+import { plain } from '../../chart/numbers.ts'
 
 /** A number of the prose: how it comes about, and how it is written. */
 export interface Fact {

@@ -1,7 +1,7 @@
 import { withoutRounding } from '../../measure/index.ts'
 import { forcesAt, length } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
-import { fixed, metres } from '../../view/numbers.ts'
+import { fixed, metres } from '../../chart/numbers.ts'
 import { end } from './experiments.ts'
 import type { Facts } from './fact.ts'
 

@@ -1,5 +1,5 @@
 import { simulate } from '../../physics/index.ts'
-import { fixed } from '../../view/numbers.ts'
+import { fixed } from '../../chart/numbers.ts'
 import type { Facts } from './fact.ts'
 
 const degrees = (value: number) => `${fixed(value, 2)}°`

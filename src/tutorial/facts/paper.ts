@@ -1,6 +1,6 @@
 import { allCorrected, dot, length, paperStep } from '../../physics/index.ts'
 import type { Body, Corrections, Surface } from '../../physics/index.ts'
-import { fixed, metres, plain, speed } from '../../view/numbers.ts'
+import { fixed, metres, plain, speed } from '../../chart/numbers.ts'
 import type { Facts } from './fact.ts'
 
 /** A speed that shows the first step which way friction points, and moves nothing [m/s]. */

@@ -1,5 +1,5 @@
 import { simulate } from '../../physics/index.ts'
-import { count, metres, place } from '../../view/numbers.ts'
+import { count, metres, place } from '../../chart/numbers.ts'
 import { apart, at, end, kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'
 

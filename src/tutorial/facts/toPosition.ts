@@ -1,7 +1,7 @@
 import { trajectoryErrors, withoutRounding } from '../../measure/index.ts'
 import { exact, forcesAt, simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
-import { fixed, metres } from '../../view/numbers.ts'
+import { fixed, metres } from '../../chart/numbers.ts'
 import { at } from './experiments.ts'
 import type { Facts } from './fact.ts'
 

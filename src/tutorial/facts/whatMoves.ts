@@ -1,6 +1,6 @@
 import { exact } from '../../physics/index.ts'
 import type { Experiment } from '../../physics/index.ts'
-import { metres } from '../../view/numbers.ts'
+import { metres } from '../../chart/numbers.ts'
 import { at, end } from './experiments.ts'
 import type { Facts } from './fact.ts'
 

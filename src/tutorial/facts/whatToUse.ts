@@ -1,7 +1,7 @@
-import { trajectoryErrors } from '../../measure/index.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, IntegratorId } from '../../physics/index.ts'
-import { fixed, metres, plain } from '../../view/numbers.ts'
+import { trajectoryErrors } from '../../measure/index.ts'
+import { fixed, metres, plain } from '../../chart/numbers.ts'
 import { apart, kick, paperStep, takeHome } from './experiments.ts'
 import type { Facts } from './fact.ts'
 

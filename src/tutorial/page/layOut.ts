@@ -23,3 +23,17 @@ export function layOutInTurn(sections: readonly HTMLElement[]): void {
     layOutInTurn(others)
   })
 }
+
+/** Paper is light, whatever the page was switched to. */
+export function lightOnPaper(): void {
+  const { dataset } = document.documentElement
+  let theme: string | undefined
+  addEventListener('beforeprint', () => {
+    theme = dataset.theme
+    dataset.theme = 'light'
+  })
+  addEventListener('afterprint', () => {
+    if (theme === undefined) delete dataset.theme
+    else dataset.theme = theme
+  })
+}

@@ -117,7 +117,7 @@ export const oscillationsClaims: Readonly<Record<string, Claims>> = {
     },
     wrong: {
       what: 'Off at the end',
-      why: 'no method sees what happens twenty times within its step',
+      why: 'no method is right with a step as long as a quarter of a swing',
       unit: 'm',
       failure: 'goes wrong, but ends',
     },

@@ -1,3 +1,0 @@
-import { SlideFigure } from './slideFigure.ts'
-
-customElements.define('slide-figure', SlideFigure)

@@ -1,3 +1,0 @@
-import { FrameStrip } from '../frameStrip.ts'
-
-customElements.define('frame-strip', FrameStrip)

@@ -1,0 +1,26 @@
+import { traceFrame } from '../../physics/index.ts'
+import type { Trajectory } from '../../physics/index.ts'
+
+/** A physics step inside a frame. */
+export interface Step {
+  /** The time that the state stands at when it ends [s]. */
+  readonly time: number
+  /** The row of the frame that took it. */
+  readonly row: number
+}
+
+const kept = new WeakMap<Trajectory, readonly Step[]>()
+
+/** Every step of a run, as it was taken. */
+export function stepsOf(run: Trajectory): readonly Step[] {
+  let ticks = kept.get(run)
+  if (!ticks) {
+    const all: Step[] = []
+    for (let row = 1; row <= run.frames; row++) {
+      let time = run.stateTime[row - 1]!
+      for (const { dt } of traceFrame(run.experiment, row)) all.push({ time: (time += dt), row })
+    }
+    kept.set(run, (ticks = all))
+  }
+  return ticks
+}

@@ -1,0 +1,40 @@
+import type { ReactiveControllerHost } from 'lit'
+import type { PictureForces } from '../view/picture.ts'
+import type { Glide } from './glide.ts'
+import type { LabHistory } from './labHistory.ts'
+import type { Playback } from './playback/playback.ts'
+import type { Preset } from './presets/preset.ts'
+import type { Change } from './state/change.ts'
+import type { Simulated } from './state/simulation.ts'
+
+/** What the parts of a lab see of it. */
+export interface LabView {
+  readonly simulated: Simulated
+  readonly playback: Playback
+  /** The runner that is looked at closely. */
+  readonly selected: number
+  readonly select: (index: number) => void
+  /** Makes a change; answers with what is wrong with it, or with nothing. */
+  readonly change: (change: Change) => string
+  /** Undo and redo. */
+  readonly history: LabHistory
+  /** All that there are; none until they are loaded. */
+  readonly presets: readonly Preset[]
+  /** The preset that it came from, until its note is closed. */
+  readonly preset: Preset | undefined
+  readonly load: (preset: Preset) => void
+  readonly dismiss: () => void
+}
+
+/** What a lab sees of its panels. They are loaded when its picture is there. */
+export interface Panels {
+  /** What stands below the transport. */
+  below(): unknown
+  /** Lets blocks glide to their new places. Until it loads, blocks jump. */
+  readonly glide: Glide
+  /** The forces that the picture shows: undefined while they are switched off. */
+  readonly forces?: () => PictureForces | undefined
+  readonly presets?: readonly Preset[]
+}
+
+export type OpenPanels = (lab: LabView & ReactiveControllerHost & HTMLElement) => Panels

@@ -1,0 +1,146 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit'
+import type { Trajectory } from '../../physics/index.ts'
+import { rowAt } from '../../view/timeline.ts'
+import { onVisible } from '../../ui/visibility.ts'
+import { Subscribers } from './subscribers.ts'
+import type { UpdatePhase } from './subscribers.ts'
+
+/** What playback moves through. */
+interface PlaybackHost extends ReactiveControllerHost, HTMLElement {
+  readonly duration: number
+  /** Of the visible runners. */
+  readonly recorded: readonly Trajectory[]
+}
+
+/** A tab that was away, or a browser that was busy, does not make the block leap. */
+const LONGEST_FRAME = 0.1
+
+/**
+ * While it plays, so long lies between two writings of what is read [ms]: nobody reads numbers that change faster, and to
+ * lay out and paint text costs more than all that moves.
+ */
+const WRITING = 95
+
+/**
+ * A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. Where it is
+ * goes to its subscribers; its host is only updated when it begins or ceases to play.
+ */
+export class Playback implements ReactiveController {
+  playing = false
+  /** Recorded seconds in a second. */
+  speed = 1
+  private cursor = Infinity
+  private seen = false
+  private request = 0
+  private before = 0
+  private written = 0
+  private readonly host: PlaybackHost
+  private readonly subscribers = new Subscribers()
+  private stopWatching = () => {}
+
+  constructor(host: PlaybackHost) {
+    this.host = host
+    host.addController(this)
+  }
+
+  hostConnected(): void {
+    this.stopWatching = onVisible(this.host, (isSeen) => {
+      this.seen = isSeen
+      this.schedule()
+    })
+  }
+
+  hostDisconnected(): void {
+    this.stopWatching()
+    this.seen = false
+    this.schedule()
+  }
+
+  /** The instant shown [s]. A cursor that was put at the end stays there when the run gets longer. */
+  get time(): number {
+    return Math.min(this.cursor, this.host.duration)
+  }
+
+  /**
+   * Calls back whenever the cursor has moved; while it plays only if the element can be seen, and to `write` only a few
+   * times a second. Returns a function that unsubscribes.
+   */
+  subscribe(element: Element, phase: UpdatePhase, listener: () => void): () => void {
+    return this.subscribers.add(element, phase, listener)
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause()
+    else this.play()
+  }
+
+  /** Plays on from here, or from the start if this is the end. */
+  play(): void {
+    if (this.time >= this.host.duration) this.cursor = 0
+    this.playing = true
+    this.schedule()
+    this.host.requestUpdate()
+  }
+
+  pause(): void {
+    if (this.playing) this.host.requestUpdate()
+    this.playing = false
+    this.schedule()
+    this.subscribers.notify({ seen: false, eachFrame: false })
+  }
+
+  /** Goes to an instant [s] and stays there. */
+  seek(time: number): void {
+    this.cursor = time >= this.host.duration ? Infinity : Math.max(0, time)
+    this.pause()
+  }
+
+  toStart(): void {
+    this.seek(0)
+  }
+
+  toEnd(): void {
+    this.seek(Infinity)
+  }
+
+  /** Goes that many frames on, or back if negative: to where the next of any runner's frames is. */
+  stepFrames(count: number): void {
+    let { time } = this
+    for (let i = 0; i < Math.abs(count); i++) time = this.frameBeside(time, count > 0)
+    this.seek(time)
+  }
+
+  private frameBeside(time: number, later: boolean): number {
+    let nearest = later ? this.host.duration : 0
+    for (const trajectory of this.host.recorded) {
+      const frames = trajectory.time
+      const row = rowAt(trajectory, time)
+      if (later) nearest = Math.min(nearest, frames[row + 1] ?? nearest)
+      else nearest = Math.max(nearest, frames[frames[row]! < time ? row : row - 1] ?? nearest)
+    }
+    return nearest
+  }
+
+  private schedule(): void {
+    const wanted = this.playing && this.seen
+    if (wanted && this.request === 0) {
+      this.before = NaN
+      this.written = -Infinity
+      this.request = requestAnimationFrame(this.tick)
+    } else if (!wanted && this.request !== 0) {
+      cancelAnimationFrame(this.request)
+      this.request = 0
+    }
+  }
+
+  private readonly tick = (now: number): void => {
+    const passed = Math.min(LONGEST_FRAME, (now - this.before) / 1000 || 0)
+    this.before = now
+    this.request = requestAnimationFrame(this.tick)
+    this.cursor = this.time + this.speed * passed
+    if (this.cursor >= this.host.duration) return this.toEnd()
+    const isDue = now - this.written >= WRITING
+    if (isDue) this.written = now
+    this.subscribers.notify({ seen: true, eachFrame: !isDue })
+  }
+}

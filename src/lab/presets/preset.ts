@@ -1,0 +1,42 @@
+import { ExperimentError } from '../../physics/index.ts'
+import { opening } from '../state/opening.ts'
+import type { LabState } from '../state/state.ts'
+
+/** An experiment with a name that a lab can be set to. */
+export interface Preset {
+  /** What kind of experiment it is; those of one kind stand together in the menu. */
+  readonly group: string
+  readonly label: string
+  /** What to look at when it is shown, in a sentence or two. */
+  readonly watch: string
+  /** What a lab shows then: the same value every time. */
+  readonly shown: Shown
+}
+
+/** A lab, and why it is not the one that was asked for, if that can't be run. */
+interface Shown {
+  readonly state: LabState
+  readonly problem: string
+}
+
+/** A preset that is put together when it is first asked for. */
+export function preset(group: string, label: string, watch: string, make: () => LabState): Preset {
+  let shown: Shown | undefined
+  return {
+    group,
+    label,
+    watch,
+    get shown() {
+      return (shown ??= attempt(make))
+    },
+  }
+}
+
+function attempt(make: () => LabState): Shown {
+  try {
+    return { state: make(), problem: '' }
+  } catch (error) {
+    if (!(error instanceof ExperimentError)) throw error
+    return { state: opening, problem: error.message }
+  }
+}

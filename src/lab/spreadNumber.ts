@@ -1,0 +1,27 @@
+import { html } from 'lit'
+import { lengthText } from '../chart/numbers.ts'
+import type { LabView } from './labView.ts'
+import { sameMethod } from './state/modes.ts'
+import { spreadText } from './state/spreadText.ts'
+
+/**
+ * The number that it is all about: how far apart the frame rates end. Between blocks that differ in more than their frames it
+ * says nothing of frame rates, and has another name.
+ */
+export function spreadNumber({ simulated: { spread, visible } }: LabView) {
+  const [first, ...others] = visible
+  const label = others.every((each) => sameMethod(each.state, first!.state))
+    ? 'frame-rate spread'
+    : 'apart at the end'
+  // One block alone is apart from nothing.
+  if (!spread || visible.length < 2)
+    return html`<p class="spread" part="spread">
+      <span>${label}</span>
+      <output title="It takes two visible runners to be apart.">–</output>
+    </p>`
+  const { value, remark, title } = spreadText(spread, lengthText)
+  return html`<p class="spread" part="spread">
+    <span>${label}</span>
+    <output title=${title}>${value} ${remark ? html`<small>(${remark})</small>` : ''}</output>
+  </p>`
+}

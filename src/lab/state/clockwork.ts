@@ -1,0 +1,54 @@
+import type { Trajectory } from '../../physics/index.ts'
+
+/** What a run did with time, a value for each of its rows. */
+export interface Clockwork {
+  /** When frames were, on the wall clock [s]. */
+  readonly time: Float64Array
+  /** Under `fixed`, the length of its steps [s]; else undefined. */
+  readonly step: number | undefined
+  /** Under `fixed`, what is left of the frame time for later steps: time − stateTime − lost [s]. Else zeros. */
+  readonly accumulator: Float64Array
+  /** Time that the policy has dropped by then [s]. */
+  readonly lost: Float64Array
+}
+
+const kept = new WeakMap<Trajectory, Clockwork>()
+
+/** A trajectory's clocks, read off its two times. */
+export function clockworkOf(trajectory: Trajectory): Clockwork {
+  const known = kept.get(trajectory)
+  if (known) return known
+  const { experiment, time, stateTime, lostTime, frames } = trajectory
+  const { timestep } = experiment
+  const step = timestep.kind === 'fixed' ? timestep.step : undefined
+  const lost = new Float64Array(frames + 1)
+  const accumulator = new Float64Array(frames + 1)
+  for (let row = 1; row <= frames; row++) {
+    const late = time[row]! - stateTime[row]!
+    // The accumulator holds less than a step, so that the whole steps of a delay are those that were dropped.
+    const dropped = step === undefined ? late : Math.floor(late / step + 1e-6) * step
+    if (lostTime > 0) lost[row] = Math.max(lost[row - 1]!, Math.min(dropped, lostTime))
+    if (step !== undefined) accumulator[row] = Math.max(0, late - lost[row]!)
+  }
+  const { kind } = trajectory.outcome
+  if (kind === 'left-the-track' || kind === 'diverged') {
+    // The state's time is that of the end, inside the last frame: nothing is left to be stepped.
+    accumulator[frames] = 0
+    lost[frames] = lostTime
+  }
+  const clockwork = { time, step, accumulator, lost }
+  kept.set(trajectory, clockwork)
+  return clockwork
+}
+
+/** When the steps of a run under `fixed` end, on the wall clock [s], in the frames of the rows `first` to `last`. */
+export function* stepTimes(trajectory: Trajectory, first: number, last: number): Generator<number> {
+  const { step, lost } = clockworkOf(trajectory)
+  if (step === undefined) return
+  const { stateTime } = trajectory
+  for (let row = Math.max(1, first); row <= last; row++) {
+    const from = stateTime[row - 1]!
+    const count = Math.floor((stateTime[row]! - from) / step + 1e-6)
+    for (let i = 1; i <= count; i++) yield from + i * step + lost[row - 1]!
+  }
+}

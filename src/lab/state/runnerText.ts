@@ -1,0 +1,129 @@
+import { defaults, frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
+import type { Option, Options, Problem } from '../../physics/index.ts'
+import { readNumber, writeNumber } from '../../chart/numbers.ts'
+import { MOST_RUNNERS } from './check.ts'
+import type { DraftRunner } from './check.ts'
+import { readDurations, writeDurations } from './durationCode.ts'
+import type { RunnerState } from './state.ts'
+
+/*
+ * Runners as text: one after the other with `;` between, each a row of words with `/` between:
+ *
+ *     10;30/semi-implicit-euler/clamped;jitter(fps:30,amount:0.5,seed:1)/fixed(step:1/60)/rk4
+ *
+ * A number is a steady frame rate. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
+ * rule, with its options in brackets; the items of a list stand with `+` between, or as durationCode.ts writes them
+ * where that is shorter. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is
+ * left out is at the default of an experiment, so the example begins with velocity Verlet, located stops and a variable
+ * step at 10 fps.
+ */
+
+/** Runners as text. */
+export function writeRunners(runners: readonly RunnerState[]): string {
+  return runners.map(writeRunner).join(';')
+}
+
+/** The runners that a text stands for, as yet unchecked. What can't be read at all is added to the problems. */
+export function readRunners(text: string, problems: Problem[]): DraftRunner[] {
+  const texts = split(text, ';')
+  const runners = texts.slice(0, MOST_RUNNERS).map((runner, i) => readRunner(runner, i, problems))
+  // Those that are too many count, and are not read.
+  return texts.map((_, i) => runners[Math.min(i, MOST_RUNNERS - 1)]!)
+}
+
+function writeRunner(runner: RunnerState, turn: number): string {
+  const { frames, timestep, integrator, stopping, paletteIndex, hidden } = runner
+  const words = [frames.kind === 'steady' ? writeNumber(frames.fps) : call(frames, frameClocks)]
+  if (timestep.kind !== defaults.timestep.kind) words.push(call(timestep, timesteps))
+  if (integrator !== defaults.integrator) words.push(integrator)
+  if (stopping !== defaults.stopping) words.push(stopping)
+  if (paletteIndex !== turn) words.push(`look(${paletteIndex})`)
+  if (hidden) words.push('hidden')
+  return words.join('/')
+}
+
+/** An entry of a list with its options, as `fixed(step:1/60)`. Options that can be left out and are as they begin are. */
+function call(
+  chosen: RunnerState['frames'] | RunnerState['timestep'],
+  list: readonly { readonly id: string; readonly options: Options }[],
+): string {
+  const { kind, ...values } = chosen
+  const { options } = list.find(({ id }) => id === kind)!
+  const given = Object.entries(values)
+    .filter(([key, value]) => !(options[key]!.optional && options[key]!.initial === value))
+    .map(([key, value]) => `${key}:${writeValue(value)}`)
+  return given.length > 0 ? `${kind}(${given.join(',')})` : kind
+}
+
+function writeValue(value: unknown): string {
+  if (Array.isArray(value)) {
+    const plain = value.map(writeValue).join('+')
+    const code = writeDurations(value as number[])
+    return code && code.length < plain.length ? code : plain
+  }
+  return typeof value === 'number' ? writeNumber(value) : String(value)
+}
+
+function readRunner(text: string, turn: number, problems: Problem[]): DraftRunner {
+  const runner: Record<keyof RunnerState, unknown> = {
+    ...{ frames: defaults.frames, timestep: defaults.timestep },
+    ...{ integrator: defaults.integrator, stopping: defaults.stopping },
+    ...{ paletteIndex: turn, hidden: false },
+  }
+  for (const word of split(text, '/')) {
+    const [, id = word, inside] = /^([^()]*)(?:\((.*)\))?$/s.exec(word) ?? []
+    const rate = readNumber(word)
+    const clock = frameClocks.find((each) => each.id === id)
+    const policy = timesteps.find((each) => each.id === id)
+    if (rate !== undefined) runner.frames = { kind: 'steady', fps: rate }
+    else if (clock) runner.frames = { kind: id, ...readOptions(inside, clock.options) }
+    else if (policy) runner.timestep = { kind: id, ...readOptions(inside, policy.options) }
+    else if (integrators.some((each) => each.id === word)) runner.integrator = word
+    else if (stoppings.some((each) => each.id === word)) runner.stopping = word
+    else if (id === 'look' && inside) runner.paletteIndex = readNumber(inside) ?? inside
+    else if (word === 'hidden') runner.hidden = true
+    else problems.push({ path: `runners[${turn}]`, message: unknownWord(word) })
+  }
+  return runner
+}
+
+function readOptions(text = '', options: Options): Record<string, unknown> {
+  const pairs = split(text, ',').filter(Boolean)
+  return Object.fromEntries(
+    pairs.map((pair) => {
+      const [key, ...rest] = pair.split(':')
+      return [key, readValue(rest.join(':'), options[key!])]
+    }),
+  )
+}
+
+function readValue(text: string, option: Option | undefined): unknown {
+  if (option?.type === 'list')
+    return readDurations(text) ?? text.split('+').map((item) => readNumber(item) ?? item)
+  return option?.type === 'choice' ? text : (readNumber(text) ?? text)
+}
+
+const known = [frameClocks, timesteps, integrators, stoppings]
+  .flatMap((list) => list.map(({ id }) => id))
+  .join(', ')
+
+function unknownWord(word: string): string {
+  return `"${word.slice(0, 40)}" is neither a frame rate nor one of ${known}`
+}
+
+/** Cuts at a separator that does not stand in brackets. */
+function split(text: string, separator: string): string[] {
+  const parts: string[] = []
+  let depth = 0
+  let from = 0
+  for (let i = 0; i < text.length; i++) {
+    const letter = text[i]
+    if (letter === '(') depth++
+    else if (letter === ')') depth--
+    else if (letter === separator && depth <= 0) {
+      parts.push(text.slice(from, i).trim())
+      from = i + 1
+    }
+  }
+  return [...parts, text.slice(from).trim()]
+}

@@ -1,0 +1,207 @@
+import { html, LitElement, nothing } from 'lit'
+import { traceFrame } from '../../physics/index.ts'
+import type { Experiment, PolicyStep } from '../../physics/index.ts'
+import { endOf, rowAt } from '../../view/timeline.ts'
+import { icon } from '../../ui/icons.ts'
+import type { IconName } from '../../ui/icons.ts'
+import '../../ui/runnerMark.ts'
+import type { LabView } from '../../lab/labView.ts'
+import { atNow } from '../../lab/playback/atNow.ts'
+import type { SimulatedRunner } from '../../lab/state/simulation.ts'
+import { saidHtml, say } from './said.ts'
+import { stepHtml } from './stepHtml.ts'
+import { frameLength, policyWords } from './stepWords.ts'
+
+/** While it plays, so much time passes before the next frame is written out [ms]: replaying a run takes time. */
+const PAUSE = 250
+
+/** A frame of a run, and the steps inside it as they ran. */
+interface Shown {
+  readonly runner: SimulatedRunner
+  readonly row: number
+  readonly steps: readonly PolicyStep[]
+}
+
+/** The step of the selected runner that led to what is on the screen, written out. */
+export function stepInspector(lab: LabView) {
+  const { simulated, selected, playback } = lab
+  const runner = simulated.runners[selected]!
+  return html`<step-inspector
+    .lab=${lab}
+    .runner=${runner}
+    .row=${atNow(playback, (time) => rowAt(runner.trajectory, time))}
+    .playing=${playback.playing}
+  ></step-inspector>`
+}
+
+/**
+ * A step written out: formula, numbers, result. The run is played again for it, so nothing is done while it is closed.
+ *
+ * - `lab`: what it belongs to
+ * - `runner`, `row`: the run, and the row of it that the frame ends at
+ * - `playing`: the row changes all the time
+ */
+class StepInspector extends LitElement {
+  static override properties = {
+    lab: { attribute: false },
+    runner: { attribute: false },
+    row: { attribute: false },
+    playing: { attribute: false },
+    open: { state: true },
+    chosen: { state: true },
+  }
+
+  declare lab: LabView
+  declare runner: SimulatedRunner
+  declare row: number
+  declare playing: boolean
+  declare private open: boolean
+  /** The step looked at; none: the one in which something happened, or the first. */
+  declare private chosen: number | undefined
+  private shown: Shown | undefined
+  private writtenAt = -Infinity
+
+  constructor() {
+    super()
+    this.open = false
+  }
+
+  override createRenderRoot(): this {
+    return this
+  }
+
+  override willUpdate(): void {
+    const { runner, row, shown } = this
+    const now = performance.now()
+    if (!this.open || (this.playing && now - this.writtenAt < PAUSE)) return
+    if (shown?.row !== row || shown.runner.trajectory !== runner.trajectory) {
+      const steps = row > 0 ? traceFrame(runner.trajectory.experiment as Experiment, row) : []
+      this.shown = { runner, row, steps }
+      this.chosen = undefined
+      this.writtenAt = now
+    }
+  }
+
+  override render() {
+    const toggled = (event: Event) => {
+      this.open = (event.target as HTMLDetailsElement).open
+    }
+    return html`<details class="inspector" @toggle=${toggled}>
+      <summary><h2>Inside this step</h2></summary>
+      ${this.open && this.shown ? this.body(this.shown) : nothing}
+    </details>`
+  }
+
+  private body({ runner, row, steps }: Shown) {
+    const { time, frames } = runner.trajectory
+    const seek = (to: number) => this.lab.playback.seek(time[to]!)
+    const end = endOf(runner.trajectory)
+    return html`
+      <p class="whose">
+        <runner-mark .paletteIndex=${runner.state.paletteIndex}></runner-mark> ${runner.name}
+      </p>
+      ${stepper({ what: 'frame', from: 1, to: frames, at: row, go: seek })}
+      ${
+        end && end.row !== row
+          ? html`<button type="button" class="there" @click=${() => seek(end.row)}>
+              ${{ 'at-rest': 'Where it stopped', 'left-the-track': 'Where it left', diverged: 'Where it blew up' }[end.kind]}
+            </button>`
+          : nothing
+      }
+      ${
+        row === 0
+          ? html`<p>
+              ${saidHtml(say`Nothing has been stepped yet: the first frame ends at ${time[1]!} s.`)}
+            </p>`
+          : html`
+              <p>
+                ${saidHtml(say`The frame begins at ${time[row - 1]!} s and lasts ${frameLength(runner.trajectory, row)} s.`)}
+                ${saidHtml(policyWords(runner.trajectory, row, steps))}
+              </p>
+              ${this.step({ runner, row, steps })}
+            `
+      }
+    `
+  }
+
+  private step({ runner, row, steps }: Shown) {
+    const { experiment, outcome, stateTime } = runner.trajectory
+    if (steps.length === 0) {
+      const rests = outcome.kind === 'at-rest' && outcome.time <= stateTime[row]!
+      return html`<p>
+        ${saidHtml(
+          rests
+            ? say`Nothing to do: at rest since ${outcome.time} s.`
+            : say`No step is due in this frame: what is shown lies between steps.`,
+        )}
+      </p>`
+    }
+    const event = steps.findIndex(hasEvent)
+    const at = this.chosen ?? Math.max(0, event)
+    const go = (to: number) => {
+      this.chosen = to
+    }
+    return html`
+      ${
+        steps.length > 1
+          ? html`${stepper({ what: 'step', from: 0, to: steps.length - 1, at, go })}
+            ${
+              event >= 0 && event !== at
+                ? html`<button type="button" class="there" @click=${() => go(event)}>
+                    Where something happened
+                  </button>`
+                : nothing
+            }`
+          : nothing
+      }
+      <div class="step">${stepHtml(steps[at]!, experiment)}</div>
+    `
+  }
+}
+
+/** Whether something other than sliding on happened in a step. */
+function hasEvent({ stretches, standings, outcome, to }: PolicyStep): boolean {
+  const kept = stretches[stretches.length - 1]?.tries.slice(-1)[0]
+  return (
+    outcome !== 'moving' ||
+    standings.length > 0 ||
+    stretches.some(({ ends }) => ends) ||
+    // The clamp has set it.
+    kept?.to.v !== to.v
+  )
+}
+
+interface StepperOptions {
+  /** What is stepped through, in the singular. */
+  readonly what: string
+  /** The first and the last that there is. */
+  readonly from: number
+  readonly to: number
+  readonly at: number
+  readonly go: (to: number) => void
+}
+
+/** “Step 3 of 6” between buttons to the first, the one before, the next and the last. */
+function stepper({ what, from, to, at, go }: StepperOptions) {
+  const button = (name: IconName, label: string, there: number) => {
+    const isOff = there < from || there > to || there === at
+    // Off for who uses it, not for the browser, which would take the focus away.
+    return html`<button
+      type="button"
+      title=${label}
+      aria-label="${label}, inside this step"
+      aria-disabled=${isOff}
+      @click=${() => isOff || go(there)}
+    >
+      ${icon(name)}
+    </button>`
+  }
+  const name = what[0]!.toUpperCase() + what.slice(1)
+  return html`<div class="stepper" role="group" aria-label="${name}s">
+    ${button('start', `First ${what}`, from)} ${button('back', `Previous ${what}`, at - 1)}
+    <span>${name} ${at - from + 1} of ${to - from + 1}</span>
+    ${button('on', `Next ${what}`, at + 1)} ${button('end', `Last ${what}`, to)}
+  </div>`
+}
+
+customElements.define('step-inspector', StepInspector)

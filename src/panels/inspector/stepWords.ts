@@ -1,0 +1,138 @@
+import type {
+  PolicyStep,
+  ResolvedExperiment,
+  Standing,
+  Stretch,
+  Trajectory,
+} from '../../physics/index.ts'
+import { count, say } from './said.ts'
+import type { Said } from './said.ts'
+
+/** How long the frame lasts that ends at a row [s]. */
+export function frameLength({ time }: Trajectory, row: number): number {
+  return rounded(time[row]! - time[row - 1]!)
+}
+
+/** A difference of times [s] without what rounding left in its last digits. */
+function rounded(time: number): number {
+  return Math.round(time * 1e12) / 1e12
+}
+
+/** How the timestep policy turned a frame into steps, where `steps` are those that had something to move. */
+export function policyWords(run: Trajectory, row: number, steps: readonly PolicyStep[]): Said {
+  const { experiment, outcome } = run
+  const { timestep } = experiment
+  const lasts = frameLength(run, row)
+  const ends = outcome.kind !== 'moving' && outcome.kind !== 'at-rest' && row === run.frames
+  if (ends && steps.length > 0)
+    return say`${count(steps.length, 'step')} of ${steps[0]!.dt} s, until the run ended.`
+  switch (timestep.kind) {
+    case 'per-frame':
+      return say`One step of ${timestep.step} s, however long the frame was.`
+    case 'variable':
+      return say`One step, as long as the frame: ${lasts} s.`
+    case 'capped':
+      return lasts > timestep.cap
+        ? say`One step of ${timestep.cap} s, the cap: the other ${rounded(lasts - timestep.cap)} s of the frame is lost.`
+        : say`One step, as long as the frame: ${lasts} s is within the cap of ${timestep.cap} s.`
+    case 'substeps': {
+      const length = steps[0]?.dt
+      if (length === undefined)
+        return say`Equal parts of the frame, none longer than ${timestep.step} s.`
+      const parts = count(Math.round(lasts / length), 'equal part')
+      return say`${lasts} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`
+    }
+    case 'fixed':
+      return fixedWords(run, row, timestep.step)
+  }
+}
+
+/** The accumulator holds the time by which the wall clock is ahead, without the whole steps that were dropped. */
+function fixedWords(run: Trajectory, row: number, step: number): Said {
+  const { time, stateTime } = run
+  const [before, after] = [row - 1, row].map((at) => {
+    const ahead = time[at]! - stateTime[at]!
+    const dropped = Math.floor(ahead / step + 1e-9)
+    return { dropped, left: rounded(ahead - dropped * step) }
+  }) as [Accumulator, Accumulator]
+  const taken = Math.round((stateTime[row]! - stateTime[row - 1]!) / step)
+  const lost = after.dropped - before.dropped
+  const steps = count(taken, 'fixed step')
+  return [
+    ...say`${before.left} s in the accumulator + ${frameLength(run, row)} s → ${steps} of ${step} s, `,
+    ...say`${after.left} s left in the accumulator.`,
+    ...(lost > 0
+      ? say` ${count(lost, 'step')} more would have been due: ${rounded(lost * step)} s is lost.`
+      : []),
+  ]
+}
+
+interface Accumulator {
+  readonly dropped: number
+  /** [s] */
+  readonly left: number
+}
+
+/** What the stopping rule found before the step of a block that stood still, if it did: whether it stays. */
+export function wordsBefore(step: PolicyStep, experiment: ResolvedExperiment): Said[] {
+  const [standing] = step.standings
+  if (standing?.begins !== 0) return []
+  return [say`The block is at rest: ${decision(step, standing, experiment)}`]
+}
+
+/** What the stopping rule did at the end of a stretch, a sentence each. */
+export function wordsAfter(
+  step: PolicyStep,
+  stretch: Stretch,
+  experiment: ResolvedExperiment,
+): Said[] {
+  const kept = stretch.tries[stretch.tries.length - 1]!
+  const isLast = stretch === step.stretches[step.stretches.length - 1]
+  const said: Said[] = []
+  if (experiment.stopping === 'located') {
+    const ends = stretch.begins + kept.dt
+    const tries = stretch.tries.length
+    const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${count(tries, 'try').replace('trys', 'tries')}` : ''}`
+    if (stretch.ends === 'stop') {
+      const standing = step.standings.find(({ begins }) => begins === ends)
+      const then = standing
+        ? decision(step, standing, experiment)
+        : say`the next step decides whether it stays.`
+      said.push(say`v reached 0 ${when}; s = ${kept.to.s} m; ${then}`)
+    }
+    if (stretch.ends === 'cut')
+      said.push(
+        say`The step is cut to ${kept.dt} s: over its whole length the force would change too much for a single step.`,
+      )
+    if (stretch.ends === 'joint')
+      said.push(say`The block reaches the joint at s = ${kept.to.s} m ${when}.`)
+  } else if (isLast) {
+    if (kept.to.v !== step.to.v)
+      said.push(say`v would have been ${kept.to.v} m/s: set to ${step.to.v}.`)
+    if (kept.to.s !== step.to.s)
+      said.push(
+        say`s would have been ${kept.to.s} m, behind where the step began: set back to ${step.to.s} m.`,
+      )
+    const { muKinetic = 0 } = experiment.parameters
+    if (experiment.stopping === 'naive' && muKinetic > 0 && step.from.v * step.to.v < 0)
+      said.push(
+        say`v crossed 0, and nothing noticed. In the next step friction pushes the block back, so it trembles.`,
+      )
+  }
+  if (isLast && step.outcome === 'left-the-track')
+    said.push(say`The track ends there: the block has left it.`)
+  if (isLast && step.outcome === 'diverged')
+    said.push(say`The step has lost its stability: the run has diverged and ends here.`)
+  return said
+}
+
+/** Static friction holds up to μs times the normal force. */
+function decision(step: PolicyStep, standing: Standing, { parameters }: ResolvedExperiment): Said {
+  const { muStatic = 0 } = parameters
+  const drive = Math.abs(standing.drive)
+  const most = muStatic * standing.press
+  const isLast = standing === step.standings[step.standings.length - 1]
+  return isLast && step.outcome === 'at-rest'
+    ? say`it stays, because |drive| ${drive} ≤ μs press ${most} m/s².`
+    : say`it sets off, because |drive| ${drive} > μs press ${most} m/s².`
+}

@@ -1,0 +1,38 @@
+import { html } from 'lit'
+import { Glide } from '../lab/glide.ts'
+import type { OpenPanels } from '../lab/labView.ts'
+import { atNow } from '../lab/playback/atNow.ts'
+import { presets } from '../lab/presets/index.ts'
+import { ForcesSwitch } from './forces/forcesPanel.ts'
+import { stepInspector } from './inspector/stepInspector.ts'
+import { parametersPanel } from './parameters/parametersPanel.ts'
+import { runnersTable } from './runners/runnersTable.ts'
+import './measures/labMeasures.ts'
+import './plots/labPlots.ts'
+import './record/recordFrames.ts'
+import './share/shareMenu.ts'
+import './strip/frameStrip.ts'
+
+/** Of a whole lab: all that is set and read in it. */
+export const instruments: OpenPanels = (lab) => {
+  const forces = new ForcesSwitch(lab)
+  return {
+    glide: new Glide(lab),
+    presets,
+    forces: () => forces.vectors(),
+    below() {
+      const { simulated, playback, selected } = lab
+      return html`${forces.panel()} ${parametersPanel(lab)} ${runnersTable(lab)}
+        <lab-plots
+          part="plots"
+          .simulated=${simulated}
+          .time=${atNow(playback, (time) => time)}
+          .playback=${playback}
+          .selected=${selected}
+          .seek=${(time: number) => playback.seek(time)}
+        ></lab-plots>
+        <lab-measures .simulated=${simulated} .selected=${selected} .lab=${lab}></lab-measures>
+        ${stepInspector(lab)}`
+    },
+  }
+}

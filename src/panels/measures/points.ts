@@ -1,0 +1,116 @@
+import { integrators } from '../../physics/index.ts'
+import type { Integrator, IntegratorId, Outcome } from '../../physics/index.ts'
+import {
+  counts,
+  isExact,
+  orderOfCurve,
+  outcomeKinds,
+  withoutRounding,
+} from '../../measure/index.ts'
+import type { SweepCurve } from '../../measure/index.ts'
+import { count, fixed, plain, seconds } from '../../chart/numbers.ts'
+
+/** What a simulated second costs. */
+export interface CostKind {
+  readonly id: 'evaluations' | 'time'
+  readonly label: string
+  /** What the axis says. */
+  readonly axis: string
+  readonly about: string
+  readonly text: (cost: number) => string
+  /** A cost in a sentence. */
+  readonly inWords: (cost: number) => string
+}
+
+/** In which costs are counted, the first by default. */
+export const costKinds: readonly CostKind[] = [
+  {
+    id: 'evaluations',
+    label: 'Evaluations',
+    axis: 'evaluations for a simulated second',
+    about: 'How often the forces are worked out: the same on every device.',
+    text: (cost) => (cost >= 1 && cost < 1e6 ? count(Math.round(cost)) : plain(cost)),
+    inWords: (cost) => `${plain(cost)} evaluations a second`,
+  },
+  {
+    id: 'time',
+    label: 'Time on this device',
+    axis: 'time for a simulated second',
+    about:
+      'Measured here and now, in a program that has used every method: a game that keeps to one takes less.',
+    text: (cost) => seconds(cost * 1e-9),
+    inWords: (cost) => `${seconds(cost * 1e-9)} for a simulated second`,
+  },
+]
+
+/** One run of a diagram: what it cost, and the error that this bought. */
+export interface DiagramPoint {
+  readonly method: IntegratorId
+  /** Steps a second. */
+  readonly rate: number
+  /** For a simulated second. */
+  readonly cost: number
+  /** The largest of the run, 0 where it is rounding [m]. */
+  readonly error: number
+  readonly outcome: Outcome['kind']
+  /** Its error says something: it ran to its end, and the truth is known. */
+  readonly whole: boolean
+  /** The runner of the lab whose run it is, if it is one's. */
+  readonly runner?: DiagramRunner
+}
+
+/** Whose run a point is. */
+export interface DiagramRunner {
+  readonly name: string
+  /** Place in the palette and the list of marks. */
+  readonly paletteIndex: number
+  /** Its stopping rule or its time step is not that of the curves: it lies beside its method's. */
+  readonly apart: boolean
+}
+
+/** What one method did. */
+export interface DiagramCurve {
+  readonly method: IntegratorId
+  readonly label: string
+  /** Place in the palette and the list of marks. */
+  readonly paletteIndex: number
+  readonly points: readonly DiagramPoint[]
+  /** What was found of its order, in a word or two. */
+  readonly order: string
+  readonly exact: boolean
+  /** The length of the path, against which rounding is measured [m]. */
+  readonly scale: number
+}
+
+/** The curves of a diagram, from the sweep's numbers and what each point costs. */
+export function diagramCurves(
+  curves: readonly SweepCurve[],
+  rates: readonly number[],
+  costs: (curve: SweepCurve) => Float64Array | undefined,
+): DiagramCurve[] {
+  return curves.flatMap((curve) => {
+    const { label, colour }: Integrator = integrators.find(({ id }) => id === curve.method)!
+    const cost = costs(curve)
+    if (!cost) return []
+    const points = rates.map((rate, i) => ({
+      method: curve.method,
+      rate,
+      cost: cost[i]!,
+      error: withoutRounding(curve.errors[i]!, curve.scale),
+      outcome: outcomeKinds[curve.outcomes[i]!]!,
+      whole: counts(curve, i),
+    }))
+    const order = orderText(curve, rates)
+    const { method, scale } = curve
+    const exact = isExact(curve)
+    return [{ method, label, paletteIndex: colour, points, order, exact, scale }]
+  })
+}
+
+function orderText(curve: SweepCurve, rates: readonly number[]): string {
+  if (isExact(curve)) return 'exact to rounding'
+  const order = orderOfCurve(curve, rates)
+  if (Number.isFinite(order)) return `order ${fixed(order, 1)}`
+  const whole = rates.some((_, i) => counts(curve, i))
+  return whole ? 'order not to be seen' : 'no run to its end'
+}

@@ -1,0 +1,103 @@
+import { html } from 'lit'
+import type { EngineRun, Report } from '../../../report/schema.ts'
+import { withoutRounding } from '../../../measure/index.ts'
+import { plain, raw, roughMetres } from '../../../chart/numbers.ts'
+import { menu } from '../../../ui/menu.ts'
+import { time } from './frameTimes.ts'
+
+/** What a time step of an engine costs with one block on one ramp. */
+export function engineTimes({ engineTests, engines }: Report) {
+  return html`<div class="scroll" tabindex="0" role="region" aria-label="Engines, time, table">
+    <table>
+      <caption>
+        One block slides down one ramp: time of a step, a call for each. Engines also turn, collide
+        and stack; this project does only what the scene needs
+      </caption>
+      <thead>
+        <tr>
+          <th scope="col">Engine</th>
+          <th scope="col">Time of a step</th>
+          <th scope="col">Times ours</th>
+          <th scope="col" class="prose">How it is set up</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${engineTests.times.map(({ engine, step, ratio }) => {
+          const who = engines.find(({ id }) => id === engine)
+          return html`<tr>
+            <th scope="row">${who?.label ?? engine}<small>${who?.version ?? ''}</small></th>
+            ${time(step.median)}
+            <td>${plain(ratio)}</td>
+            <td class="prose">${withCode(who?.setup ?? '')}</td>
+          </tr>`
+        })}
+      </tbody>
+    </table>
+  </div>`
+}
+
+/** A text in which names of the code stand between backticks. */
+function withCode(text: string) {
+  return text.split('`').map((part, i) => (i % 2 === 1 ? html`<code>${part}</code>` : part))
+}
+
+/** How far each engine ends from the truth, under a clock of the reader's choice. */
+export function engineErrors(
+  { engineTests, engines }: Report,
+  clock: string,
+  choose: (clock: string) => void,
+) {
+  const tested = [...new Set(engineTests.runs.map(({ engine }) => engine))]
+  const list = engineTests.clocks.map((id) => ({ id, label: id, about: `Frames: ${id}` }))
+  return html`<label class="choose">
+      Errors at
+      ${menu({
+        label: 'Frames of the engines’ errors',
+        list,
+        chosen: clock,
+        pick: (id) => {
+          choose(id)
+          return true
+        },
+      })}
+    </label>
+    <div class="scroll" tabindex="0" role="region" aria-label="Engines, errors, table">
+      <table>
+        <caption>
+          Distance from the true position at the end, at ${clock}
+        </caption>
+        <thead>
+          <tr>
+            <th scope="col">Engine</th>
+            ${engineTests.scenes.map(
+              ({ label, about }) => html`<th scope="col">${label}<small>${about}</small></th>`,
+            )}
+          </tr>
+        </thead>
+        <tbody>
+          ${tested.map(
+            (engine) =>
+              html`<tr>
+                <th scope="row">${engines.find(({ id }) => id === engine)?.label ?? engine}</th>
+                ${engineTests.scenes.map(({ id }) =>
+                  cell(
+                    engineTests.runs.find(
+                      (run) => run.engine === engine && run.scene === id && run.clock === clock,
+                    ),
+                  ),
+                )}
+              </tr>`,
+          )}
+        </tbody>
+      </table>
+    </div>`
+}
+
+function cell(run: EngineRun | undefined) {
+  if (!run) return html`<td>–</td>`
+  const { error, note } = run
+  return html`<td title=${error === null ? '' : `${raw(error)} m`}>
+    ${error === null ? 'no number any more' : roughMetres(withoutRounding(error, 1))}
+    ${note ? html`<small>${note}</small>` : ''}
+  </td>`
+}

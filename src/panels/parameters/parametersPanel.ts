@@ -1,0 +1,44 @@
+import { html } from 'lit'
+import { repeat } from 'lit/directives/repeat.js'
+import { limits } from '../../physics/index.ts'
+import type { Quantity } from '../../ui/quantityControl.ts'
+import '../../ui/quantityControl.ts'
+import type { LabView } from '../../lab/labView.ts'
+import { openingOf } from '../../lab/state/opening.ts'
+
+const durationQuantity: Quantity = {
+  label: 'Duration',
+  symbol: 'T',
+  unit: 's',
+  min: 0,
+  max: limits.duration,
+  slider: { from: 0.1, to: 20, step: 0.1 },
+}
+
+/** What all runners share: the parameters of the scene, and how long the run lasts. */
+export function parametersPanel({ simulated: { state, scene }, change }: LabView) {
+  const start = openingOf(state.scene)
+  const rows = Math.ceil((Object.keys(scene.parameters).length + 1) / 2)
+  return html`<section class="parameters" part="parameters">
+    <h2>${scene.label}</h2>
+    <div class="quantities" .style="--rows: ${rows}">
+      ${repeat(
+        Object.entries(scene.parameters),
+        ([name]) => `${scene.id} ${name}`,
+        ([name, quantity]) =>
+          html`<quantity-control
+            .quantity=${quantity}
+            .value=${state.parameters[name]}
+            .initial=${start.parameters[name]}
+            .pick=${(value: unknown) => change({ kind: 'parameters', values: { [name]: value } })}
+          ></quantity-control>`,
+      )}
+      <quantity-control
+        .quantity=${durationQuantity}
+        .value=${state.duration}
+        .initial=${start.duration}
+        .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
+      ></quantity-control>
+    </div>
+  </section>`
+}

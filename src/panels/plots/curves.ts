@@ -1,0 +1,81 @@
+import type { Axis } from '../../chart/axis.ts'
+import { samplesOf } from '../../view/samples.ts'
+import type { Samples } from '../../view/samples.ts'
+import type { Simulated } from '../../lab/state/simulation.ts'
+import type { PlotKind } from './kinds.ts'
+import type { PlotQuantity } from './quantity.ts'
+import { axisOf, timeAxis } from './range.ts'
+import { thinColumns, thinPath } from './thin.ts'
+
+/** The place in the list of curves that is the true motion's: after those of the eight looks. */
+export const EXACT = 8
+
+/** A curve as it is drawn: places on both axes, and the times they belong to [s]. */
+export interface Curve {
+  /** Of its runner, or EXACT. */
+  readonly paletteIndex: number
+  readonly index: number
+  readonly x: readonly number[]
+  readonly y: readonly number[]
+  readonly time: readonly number[]
+}
+
+/** All that a plot draws. */
+export interface Drawing {
+  readonly across: Axis
+  readonly up: Axis
+  readonly curves: readonly Curve[]
+  /** What a frame shows stays until the next: curves over time go in steps. */
+  readonly stepped: boolean
+}
+
+/**
+ * What a plot of so many pixels draws of a simulation: every visible runner's values at its own frames, as many of them
+ * as the pixels can show, and the true motion.
+ */
+export function drawingOf(
+  kind: PlotKind,
+  simulated: Simulated,
+  width: number,
+  height: number,
+): Drawing {
+  const { exact, visible, runners, state } = simulated
+  const { over, of } = kind
+  const across = over ? axisOf(over, simulated) : timeAxis(simulated)
+  const up = axisOf(of, simulated)
+  const column = (across.to - across.from) / width
+  const row = (up.to - up.from) / height
+  const thinned: Thinned = over
+    ? (x, y) => thinPath(x, y, column, row)
+    : (x, y) => thinColumns(x, y, column)
+  const curves: Curve[] = visible.map((runner) => {
+    const { trajectory } = runner
+    const x = over ? over.values(trajectory) : trajectory.time
+    const y = of.values(trajectory)
+    const rows = thinned(x, y)
+    return {
+      paletteIndex: runner.state.paletteIndex,
+      index: runners.indexOf(runner),
+      x: rows.map((row) => across.at(x[row]!)),
+      y: rows.map((row) => up.at(y[row]!)),
+      time: rows.map((row) => trajectory.time[row]!),
+    }
+  })
+  if (of.ofExact) curves.push(trueCurve(kind, samplesOf(exact, state.duration), thinned))
+  return { across, up, curves, stepped: !over }
+}
+
+/** The rows of a curve that its plot can show. */
+type Thinned = (x: Float64Array, y: Float64Array) => number[]
+
+/** The true motion. What was not followed swing by swing shows how far it goes, over time, and nothing else. */
+function trueCurve({ over, of }: PlotKind, samples: Samples, thinned: Thinned): Curve {
+  const time = over ? samples.time.subarray(0, samples.followed + 1) : samples.time
+  const values = ({ ofExact }: PlotQuantity) =>
+    time.map((_, row) => ofExact!({ s: samples.s[row]!, v: samples.v[row]! }))
+  const x = over ? values(over) : time
+  const y = values(of)
+  const rows = thinned(x, y)
+  const picked = (from: Float64Array) => rows.map((row) => from[row]!)
+  return { paletteIndex: EXACT, index: -1, x: picked(x), y: picked(y), time: picked(time) }
+}

@@ -1,0 +1,101 @@
+import { html, LitElement } from 'lit'
+import { fixed } from '../../chart/numbers.ts'
+import { segments } from '../../ui/segments.ts'
+import '../../ui/runnerMark.ts'
+import type { Playback } from '../../lab/playback/playback.ts'
+import type { Simulated } from '../../lab/state/simulation.ts'
+import { plotKinds } from './kinds.ts'
+import './labPlot.ts'
+
+/**
+ * All plots of a lab: side by side where there is room, one at a time on a phone. They share one cursor with each other
+ * and with the transport.
+ *
+ * - `simulated`: what they show
+ * - `time`: of the transport, as it is read [s]; `playback`: the same at every frame
+ * - `selected`: the index of the runner that is looked at closely
+ * - `seek`: called with the time that the reader goes to
+ */
+class LabPlots extends LitElement {
+  static override properties = {
+    simulated: { attribute: false },
+    time: { attribute: false },
+    selected: { attribute: false },
+    hover: { state: true },
+    chosen: { state: true },
+  }
+
+  declare simulated: Simulated
+  declare time: number
+  /** Not reactive: it is the same for good. */
+  declare playback: Playback
+  declare selected: number
+  /** Not reactive: a fresh closure is no reason to draw again. */
+  declare seek: (time: number) => void
+  declare private hover: number | undefined
+  /** Which plot stands where there is room for one. */
+  declare private chosen: string
+
+  constructor() {
+    super()
+    this.chosen = plotKinds[0]!.id
+  }
+
+  override createRenderRoot(): this {
+    return this
+  }
+
+  override render() {
+    const { simulated, hover, chosen } = this
+    const time = hover ?? this.time
+    return html`<section class="plots">
+      <header>
+        <h2>Plots</h2>
+        <ul class="key">
+          ${simulated.visible.map(
+            ({ name, state }) =>
+              html`<li>
+                <runner-mark .paletteIndex=${state.paletteIndex}></runner-mark> ${name}
+              </li>`,
+          )}
+          <li><span class="dash" aria-hidden="true"></span> exact</li>
+        </ul>
+        <p class="instant">
+          ${hover === undefined ? 'values at' : 'values under the pointer, at'}
+          <span .style="width: ${fixed(simulated.state.duration, 3).length + 1}ch"
+            >${fixed(time, 3)} s</span
+          >
+        </p>
+      </header>
+      ${segments({
+        label: 'Which plot',
+        list: plotKinds.map(({ id, title }) => ({ id, label: title })),
+        chosen,
+        pick: ({ id }) => (this.chosen = id),
+      })}
+      <div class="multiples">
+        ${plotKinds.map(
+          (kind) =>
+            html`<lab-plot
+              ?data-chosen=${kind.id === chosen}
+              data-plot=${kind.id}
+              .kind=${kind}
+              .simulated=${simulated}
+              .time=${this.time}
+              .playback=${this.playback}
+              .hover=${hover}
+              .selected=${this.selected}
+              .seek=${this.seek}
+              .point=${this.point}
+            ></lab-plot>`,
+        )}
+      </div>
+    </section>`
+  }
+
+  private readonly point = (time: number | undefined): void => {
+    this.hover = time
+  }
+}
+
+customElements.define('lab-plots', LabPlots)

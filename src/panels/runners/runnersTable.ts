@@ -1,0 +1,71 @@
+import { html } from 'lit'
+import { repeat } from 'lit/directives/repeat.js'
+import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
+import type { Described } from '../../physics/index.ts'
+import type { LabView } from '../../lab/labView.ts'
+import { MOST_RUNNERS } from '../../lab/state/check.ts'
+import './runnerRow.ts'
+
+const headings = [
+  ...['Frame rate', 'Frames', 'Integrator', 'Stopping', 'Time step'],
+  ...['Error now', 'Error at the end', 'Stopped', 'Evaluations'],
+]
+
+/** A row for each runner, and what the choices of the selected one mean. */
+export function runnersTable(lab: LabView) {
+  const { runners } = lab.simulated
+  return html`<section class="runners" part="runners">
+    <h2>Runners</h2>
+    <div class="runner headings" aria-hidden="true">
+      ${headings.map((heading) => html`<span>${heading}</span>`)}
+    </div>
+    ${repeat(
+      runners,
+      ({ state }) => state.paletteIndex,
+      (runner, index) =>
+        html`<runner-row
+          .lab=${lab}
+          .runner=${runner}
+          .index=${index}
+          .count=${runners.length}
+          .selected=${index === lab.selected}
+        ></runner-row>`,
+    )}
+    <button
+      type="button"
+      class="add"
+      ?disabled=${runners.length >= MOST_RUNNERS}
+      @click=${(event: Event) => add(lab, event.currentTarget as HTMLElement)}
+    >
+      Add a runner
+    </button>
+    <record-frames .lab=${lab} .selected=${runners[lab.selected]?.name ?? ''}></record-frames>
+    ${notes(lab)}
+  </section>`
+}
+
+/** The button of the last that there is room for hands the focus on to the runners, since it can't keep it. */
+function add(lab: LabView, button: HTMLElement): void {
+  lab.change({ kind: 'add' })
+  if (lab.simulated.runners.length < MOST_RUNNERS) return
+  const eyes = button.parentElement!.querySelectorAll<HTMLElement>('.eye')
+  eyes[eyes.length - 1]!.focus()
+}
+
+function notes({ simulated, selected }: LabView) {
+  const runner = simulated.runners[selected]
+  if (!runner) return ''
+  const { integrator, stopping, timestep, frames } = runner.state
+  return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.paletteIndex})">
+    ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
+    ${note(frameClocks, frames.kind)}
+  </dl>`
+}
+
+function note(list: readonly Described[], chosen: string) {
+  const { label, about } = list.find(({ id }) => id === chosen)!
+  return html`<div>
+    <dt>${label}</dt>
+    <dd>${about}</dd>
+  </div>`
+}

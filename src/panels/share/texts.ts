@@ -1,0 +1,73 @@
+import { parseExperiment } from '../../physics/index.ts'
+import type { Experiment } from '../../physics/index.ts'
+import { linkTo, writeAddress } from '../../lab/state/address.ts'
+import { experimentOf } from '../../lab/state/check.ts'
+import { namesOf } from '../../lab/state/names.ts'
+import type { LabState } from '../../lab/state/state.ts'
+
+/**
+ * HTML for other people's pages that shows a state in a frame of its own, which can do nothing but run its script. The
+ * script beside it gives the frame the figure's height: a page that takes no scripts can do without.
+ */
+export function frameCode(site: string, state: LabState): string {
+  const names = namesOf(state.runners).join(', ')
+  const attributes = {
+    src: linkTo('embed.html', site, state),
+    title: `Any Frame Rate: ${state.scene}, ${names}`,
+    width: '100%',
+    height: '640',
+    loading: 'lazy',
+    sandbox: 'allow-scripts allow-popups allow-popups-to-escape-sandbox',
+    // Not by a style attribute, which a careful page forbids.
+    frameborder: '0',
+  }
+  const text = Object.entries(attributes).map(([name, value]) => `${name}="${escaped(value)}"`)
+  const script = escaped(new URL('embed-resize.js', site).href)
+  return `<iframe ${text.join(' ')}></iframe>\n<script src="${script}" async></script>`
+}
+
+/** HTML for other people's pages that shows a state as a part of the page itself. */
+export function elementCode(site: string, state: LabState): string {
+  const script = escaped(new URL('slide-lab.js', site).href)
+  const experiment = escaped(JSON.stringify(experimentsOf(state).map(brief)))
+  return `<script type="module" src="${script}"></script>
+<slide-lab compact experiment='${experiment.replaceAll('&quot;', '"')}'></slide-lab>`
+}
+
+/** What the runners run, as JSON: a list of experiments, or the experiment if there is but one. */
+export function toJson(state: LabState): string {
+  const experiments = experimentsOf(state)
+  return JSON.stringify(experiments.length > 1 ? experiments : experiments[0], null, 2)
+}
+
+/** A name for a file of what a lab shows, of letters that every system takes. */
+export function fileName(state: LabState, ending: string): string {
+  const address = writeAddress(state).replace(/^scene=[^&]*/, '')
+  const words = `any-frame-rate ${state.scene} ${address}`.replace(/[^a-z0-9.]+/gi, '-')
+  return `${words.slice(0, 80).replace(/[-.]+$/, '')}.${ending}`
+}
+
+function experimentsOf(state: LabState): Experiment[] {
+  return state.runners.map((runner) => experimentOf(state, runner))
+}
+
+/** An experiment without what it would have anyway. */
+function brief({ scene, parameters, ...others }: Experiment): Experiment {
+  const usual = parseExperiment({ scene })
+  return {
+    scene,
+    parameters: different(parameters ?? {}, usual.parameters),
+    ...different(others, usual),
+  }
+}
+
+function different<Options extends object>(options: Options, usual: object): Partial<Options> {
+  const known = new Map(Object.entries(usual))
+  const isOther = ([name, value]: [string, unknown]) =>
+    JSON.stringify(value) !== JSON.stringify(known.get(name))
+  return Object.fromEntries(Object.entries(options).filter(isOther)) as Partial<Options>
+}
+
+function escaped(text: string): string {
+  return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;')
+}

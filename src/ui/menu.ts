@@ -1,0 +1,28 @@
+import { html } from 'lit'
+import type { Described } from '../physics/index.ts'
+
+interface Menu<Id extends string> {
+  /** For whoever can't see where it stands. */
+  readonly label: string
+  readonly list: readonly (Described & { readonly id: Id })[]
+  readonly chosen: string
+  /** Whether it could be chosen. */
+  readonly pick: (id: Id) => boolean
+}
+
+/** A menu of a list's entries; what the chosen one is appears when it is pointed at. */
+export function menu<Id extends string>({ label, list, chosen, pick }: Menu<Id>) {
+  const changed = (event: Event) => {
+    const select = event.target as HTMLSelectElement
+    if (!pick(select.value as Id)) select.value = chosen
+  }
+  return html`<select
+    aria-label=${label}
+    title=${list.find(({ id }) => id === chosen)!.about}
+    @change=${changed}
+  >
+    ${list.map(
+      ({ id, label }) => html`<option value=${id} .selected=${id === chosen}>${label}</option>`,
+    )}
+  </select>`
+}

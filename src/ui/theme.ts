@@ -1,0 +1,20 @@
+const followers = new Set<() => void>()
+
+/** Calls back whenever the page's colours may have changed: for what reads them once, such as a canvas. Returns a function that unsubscribes. */
+export function onThemeChange(callback: () => void): () => void {
+  const observer = new MutationObserver(callback)
+  observer.observe(document.documentElement, { attributeFilter: ['data-theme'] })
+  const dark = matchMedia('(prefers-color-scheme: dark)')
+  dark.addEventListener('change', callback)
+  followers.add(callback)
+  return () => {
+    observer.disconnect()
+    dark.removeEventListener('change', callback)
+    followers.delete(callback)
+  }
+}
+
+/** Tells of colours that have changed by other means than the page's attribute or the system's setting. */
+export function themeChanged(): void {
+  for (const callback of followers) callback()
+}

@@ -1,0 +1,36 @@
+import { html, LitElement } from 'lit'
+import { icon } from './icons.ts'
+
+const themes = ['system', 'light', 'dark'] as const
+
+/** A button that goes round the page's themes: as the system has it, light, dark. It remembers nothing. */
+class ThemeSwitch extends LitElement {
+  static override properties = { theme: { state: true } }
+
+  declare private theme: (typeof themes)[number]
+
+  constructor() {
+    super()
+    this.theme = 'system'
+  }
+
+  override createRenderRoot(): this {
+    return this
+  }
+
+  override render() {
+    const label = `Theme: ${this.theme}`
+    return html`<button type="button" title=${label} aria-label=${label} @click=${this.next}>
+      ${icon('theme')}
+    </button>`
+  }
+
+  private readonly next = (): void => {
+    this.theme = themes[(themes.indexOf(this.theme) + 1) % themes.length]!
+    const { dataset } = document.documentElement
+    if (this.theme === 'system') delete dataset.theme
+    else dataset.theme = this.theme
+  }
+}
+
+customElements.define('theme-switch', ThemeSwitch)
