@@ -136,6 +136,27 @@ describe('13 denormal and huge speeds and positions', () => {
     }
   })
 
+  it('a step with more reversals than it may have parts is given up, and called diverged', () => {
+    // Some 60 000 reversals in a frame of a second, none of which friction ends: implicit midpoint keeps the energy in
+    // steps of any length. Most methods lose or gain so much in steps of a quarter swing that they rest or are lost first.
+    const omega = Math.sqrt(3.6e10)
+    const run = simulate({
+      scene: 'spring',
+      parameters: { angle: 0, stiffness: omega ** 2, position: 1, muStatic: 1e-9, muKinetic: 1e-9 },
+      integrator: 'implicit-midpoint',
+      frames: { kind: 'steady', fps: 1 },
+      duration: 2,
+    })
+    expect(run.outcome.kind).toBe('diverged')
+    expect(run.frames).toBe(1)
+    expect(largest(run.s)).toBeLessThanOrEqual(1)
+    // Of ten thousand parts none is longer than a quarter swing, ½π/ω.
+    expect(run.outcome.time).toBeLessThan((10_000 * Math.PI) / 2 / omega)
+    // Each takes one evaluation at the least, and what the bound on work reckons with at the most: nine tries of six.
+    expect(run.evaluations).toBeGreaterThan(10_000)
+    expect(run.evaluations).toBeLessThan(10_000 * 9 * 6)
+  })
+
   it.each(secondOrder)('$id: at 1e9 m and 1e9 m/s it is off by ulps', ({ id }) => {
     const { id: name, experiments } = hardCase('largest-numbers')
     for (const experiment of experiments) {
