@@ -5,7 +5,7 @@ import type { Experiment, Integrator } from '../physics/index.ts'
  * The frame rate below which theory says that a run blows up [fps]: a step a frame is stable for ωΔt below the method's
  * limit, and the spring's ω is √(k/m), so that rate = ω / limit. 0 for a method that never blows up, Infinity for one
  * that always does; undefined where theory has nothing to say: in other scenes, where a step is not a frame, and where
- * stops are located, since a step that friction acts in is shortened there before it blows up.
+ * friction acts and stops are located, since the turns cut the steps unevenly.
  *
  * @throws ExperimentError for a spring that can't be run
  */
