@@ -5,6 +5,7 @@ import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import { Motion } from './motion.ts'
 import { show } from './problems.ts'
+import { Saved } from './saved.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
 import { advance } from './step.ts'
@@ -38,10 +39,17 @@ export class Run implements FrameContext {
   lostTime = NaN
   /** Frames so far. */
   frames = 0
-  /** Steps that the timestep policy asked for. */
+  /** Steps that the timestep policy asked for, but for those that it took back. */
   steps = 0
+  readonly order: number
+  error = NaN
+  allowed = NaN
+  /** Told of each step that the policy has tried, and whether it keeps it. */
+  onJudged: ((accepted: boolean) => void) | undefined
 
   private outcomeTime = NaN
+  private readonly saved: Saved
+  private savedSteps = 0
   private readonly wallClock = new ExactSum()
   private readonly integrator: Integrator
   private readonly rule: StoppingRule
@@ -63,6 +71,8 @@ export class Run implements FrameContext {
       parameters.speed!,
       this.rule.holdsSlip,
     )
+    this.saved = new Saved(this.motion)
+    this.order = Math.min(this.integrator.order, this.integrator.orderWithSpeed)
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
@@ -121,7 +131,21 @@ export class Run implements FrameContext {
     }
   }
 
-  /** Ends the run as diverged, where going on would take more work than a run may. */
+  save(): void {
+    this.saved.save()
+    this.savedSteps = this.steps
+  }
+
+  restore(): void {
+    this.saved.restore()
+    this.steps = this.savedSteps
+    this.drawnS = this.motion.s
+  }
+
+  judge(accepted: boolean): void {
+    this.onJudged?.(accepted)
+  }
+
   abandon(): void {
     if (this.ended) return
     this.motion.end('diverged')
