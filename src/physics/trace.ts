@@ -44,8 +44,19 @@ export interface Standing extends Evaluation {
   begins: number
 }
 
+/** One try of a policy that tries steps: how far off it is and how far off it may be [m], and what became of it. */
+export interface Attempt {
+  error: number
+  allowed: number
+  accepted: boolean
+}
+
 /** A step that the timestep policy asked for. */
 export interface PolicyStep {
+  /** The policy took it back: it was a try, or half of one that was refused. */
+  takenBack: boolean
+  /** The try that it was part of: a whole step, two halves, and before them a step that an event cut short. */
+  attempt?: Attempt
   dt: number
   from: State
   to: State
@@ -69,11 +80,25 @@ export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] 
     if (reached < frame) advance(motion, integrator, rule)
     else steps.push(traceStep(motion, integrator, rule))
   })
+  const { run } = loop
+  let judged = 0
+  let saved = 0
+  run.watcher = {
+    restored: () => {
+      for (const step of steps.slice(saved)) step.takenBack = true
+      saved = steps.length
+    },
+    judged: (accepted) => {
+      const attempt = { error: run.error, allowed: run.allowed, accepted }
+      for (const step of steps.slice(judged)) step.attempt = attempt
+      judged = saved = steps.length
+    },
+  }
   do reached++
   while (loop.next() && reached < frame)
-  if (reached !== frame || loop.run.frames !== frame)
+  if (reached !== frame || run.frames !== frame)
     throw new RangeError(
-      `The run has no frame ${String(frame)}; its frames are 1 to ${loop.run.frames}.`,
+      `The run has no frame ${String(frame)}; its frames are 1 to ${run.frames}.`,
     )
   return steps
 }
@@ -122,7 +147,10 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
   }
   advance(motion, watchedIntegrator, watchedRule)
   motion.observe(undefined)
-  return { dt, from, to: stateOf(motion), stretches, standings, outcome: motion.outcome }
+  return {
+    ...{ takenBack: false, dt, from, to: stateOf(motion) },
+    ...{ stretches, standings, outcome: motion.outcome },
+  }
 }
 
 function stateOf({ s, v }: Motion): State {

@@ -42,6 +42,8 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
       const parts = count(Math.round(lasts / length), 'equal part')
       return say`${lasts} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`
     }
+    case 'tolerance':
+      return say`As many steps as an error of ${timestep.tolerance} m in each second allows, each tried whole and in two halves.`
     case 'fixed':
       return fixedWords(run, row, timestep.step)
   }
