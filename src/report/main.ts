@@ -1,4 +1,4 @@
-import { compareCheckouts } from './against/index.ts'
+import { compareCheckouts } from './against.ts'
 import { beChild } from './child.ts'
 import { measure } from './measure.ts'
 import { readReport, writeReport } from './write.ts'

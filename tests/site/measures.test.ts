@@ -5,7 +5,7 @@ import { describe, expect, test } from 'vitest'
 import type { LabState } from '../../src/lab/state/state.ts'
 import { frameRateSpread, paperMethod } from '../../src/measure/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
-import type { Report } from '../../src/report/schema.ts'
+import type { Report } from '../../src/report/schema/index.ts'
 import { openLab } from './labPage.ts'
 import { shared, openMeasures } from './measurePage.ts'
 

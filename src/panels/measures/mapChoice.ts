@@ -1,7 +1,6 @@
 import { scenes } from '../../physics/index.ts'
 import type { Experiment, ResolvedExperiment, Scene } from '../../physics/index.ts'
-import type { MapRequest } from '../../measure/index.ts'
-import type { Method } from '../../lab/state/state.ts'
+import type { MapRequest, Method } from '../../measure/index.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 
 /** What the reader has chosen to see in a map. */

@@ -2,6 +2,7 @@ import { html, nothing } from 'lit'
 import { REFERENCE_RATE } from '../../measure/index.ts'
 import { clamp } from '../../chart/geometry.ts'
 import { decadeText } from '../../chart/magnitudes.ts'
+import { mix } from '../../view/palette.ts'
 import type { Rgb } from '../../view/palette.ts'
 import { HIGHEST } from './mapCells.ts'
 import type { MapCells } from './mapCells.ts'
@@ -22,9 +23,7 @@ const stops: readonly Rgb[] = [
 export function rampColour(part: number, dark: boolean): Rgb {
   const place = clamp(dark ? part : 1 - part, 0, 1) * (stops.length - 1)
   const below = Math.min(stops.length - 2, Math.floor(place))
-  const rest = place - below
-  const [from, to] = [stops[below]!, stops[below + 1]!]
-  return from.map((value, i) => Math.round(value + rest * (to[i]! - value))) as unknown as Rgb
+  return mix(stops[below]!, stops[below + 1]!, place - below)
 }
 
 /** The same ramp for a legend. */

@@ -1,7 +1,8 @@
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
 import * as Plot from '@observablehq/plot'
 import { parseHTML } from 'linkedom'
-import type { Diagram } from '../schema.ts'
-import { themeStyle } from './theme.ts'
+import type { Diagram } from '../schema/index.ts'
 
 /** A diagram: what it is, and the file's content. */
 export interface Drawing {
@@ -64,4 +65,28 @@ export function metricPower(value: number): string {
   const thousands = Math.round(Math.log10(value) / 3)
   const unit = ['fm', 'pm', 'nm', 'µm', 'mm', 'm', 'km'][thousands + 5]
   return unit ? `1 ${unit}` : `${value} m`
+}
+
+/** Text and lines; the palette's places; what is not ours. */
+export const ink = 'var(--ink)'
+export const softInk = 'var(--ink-soft)'
+export const line = 'var(--line)'
+export const runner = (colour: number) => `var(--runner-${colour})`
+
+/**
+ * The page's colours, light and dark, as a style for a drawing that stands alone. `svg:root` is a drawing that is its own
+ * document: one that stands in a page takes the colours of the page.
+ */
+function themeStyle(): string {
+  const css = readFileSync(join(process.cwd(), 'src/styles/theme.css'), 'utf8')
+  const colours = (start: RegExp) =>
+    [...block(css, start).matchAll(/--(?:ink|ink-soft|line|sheet|runner-\d): [^;]+;/g)].join(' ')
+  const light = colours(/:root \{/)
+  const dark = colours(/\[data-theme='dark'\] \{/)
+  return `svg:root { ${light} background: var(--sheet); } @media (prefers-color-scheme: dark) { svg:root { ${dark} } }`
+}
+
+function block(css: string, start: RegExp): string {
+  const from = css.search(start)
+  return css.slice(from, css.indexOf('}', from))
 }

@@ -1,6 +1,5 @@
 import { attributes, escaped } from '../still/html.ts'
-import type { Bound } from '../../measure/hardCases/bound.ts'
-import type { Claim, Unit } from '../../measure/hardCases/claim.ts'
+import type { Bound, Claim, Unit } from '../../measure/hardCases/hardCase.ts'
 import type { Result } from '../../measure/hardCases/results.ts'
 import { count, metres, plain, raw } from '../../chart/numbers.ts'
 

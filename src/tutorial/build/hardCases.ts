@@ -1,6 +1,5 @@
 import { attributes, escaped } from '../still/html.ts'
-import { hardCaseClaims } from '../../measure/hardCases/claims.ts'
-import { hardCases } from '../../measure/hardCases/index.ts'
+import { hardCaseClaims, hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
 import { hardCaseResults } from '../../measure/hardCases/results.ts'
 import { groups, presetsOf } from '../../lab/presets/hardCases.ts'

@@ -1,5 +1,5 @@
 import { html } from 'lit'
-import type { EngineRun, Report } from '../../../report/schema.ts'
+import type { EngineRun, Report } from '../../../report/schema/index.ts'
 import { withoutRounding } from '../../../measure/index.ts'
 import { plain, raw, roughMetres } from '../../../chart/numbers.ts'
 import { menu } from '../../../ui/menu.ts'

@@ -1,5 +1,5 @@
 import { html } from 'lit'
-import type { FrameTime, Report } from '../../../report/schema.ts'
+import type { FrameTime, Report } from '../../../report/schema/index.ts'
 import { integrators, scenes } from '../../../physics/index.ts'
 import { plain, raw, seconds } from '../../../chart/numbers.ts'
 

@@ -1,5 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
-import type { Report } from '../../../report/schema.ts'
+import type { Report } from '../../../report/schema/index.ts'
 import { plain } from '../../../chart/numbers.ts'
 import { engineErrors, engineTimes } from './engines.ts'
 import { fetchReport } from './fetchReport.ts'

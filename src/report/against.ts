@@ -1,9 +1,10 @@
-import { inChild } from '../child.ts'
-import { nanoseconds } from '../text/figures.ts'
-import { plainTable } from '../text/markdown.ts'
-import type { Care } from '../timing/rounds.ts'
-import { bundleWorks } from './bundle.ts'
-import type { Compared, Kind } from './measure.ts'
+import { existsSync } from 'node:fs'
+import { resolve } from 'node:path'
+import { inChild } from './child.ts'
+import { nanoseconds } from './text/figures.ts'
+import { plainTable } from './text/markdown.ts'
+import type { Care } from './timing/rounds.ts'
+import type { Compared, Kind } from './against/measure.ts'
 
 const titles: Readonly<Record<Kind, string>> = {
   ramp: 'run.frame, one call a step, alone',
@@ -67,4 +68,33 @@ function row(label: string, { ours, other, ratio, handwritten, handwrittenRatio 
 
 function most(rows: readonly Compared[], value: (row: Compared) => number): Compared {
   return rows.reduce((worst, each) => (value(each) > value(worst) ? each : worst))
+}
+
+/**
+ * Bundles `works.ts` of this checkout with the physics module of any checkout, and returns the path. The bundles share no
+ * function and no call site, so V8 compiles each for itself.
+ *
+ * @throws Error where the checkout has no physics module
+ */
+async function bundleWorks(checkout: string, name: string): Promise<string> {
+  const physics = resolve(checkout, 'src/physics/index.ts')
+  if (!existsSync(physics)) throw new Error(`“${checkout}” is no checkout: ${physics} is missing.`)
+  // Imported here, so that the processes that measure do not load Vite.
+  const { build } = await import('vite')
+  const outDir = resolve('node_modules/.cache/against', name)
+  await build({
+    configFile: false,
+    publicDir: false,
+    logLevel: 'error',
+    resolve: {
+      alias: { './physics/index.ts': physics },
+    },
+    build: {
+      ssr: resolve('src/report/timing/works.ts'),
+      outDir,
+      emptyOutDir: true,
+      target: 'node20',
+    },
+  })
+  return resolve(outDir, 'works.js')
 }

@@ -1,6 +1,13 @@
-import { createRun, integrators, scenes, simulate, stoppings, timesteps } from '../physics/index.ts'
-import type { Described, Experiment, Options, Timestep } from '../physics/index.ts'
-import type { Work } from './timing/rounds.ts'
+import {
+  createRun,
+  integrators,
+  scenes,
+  simulate,
+  stoppings,
+  timesteps,
+} from '../../physics/index.ts'
+import type { Described, Experiment, Options, Timestep } from '../../physics/index.ts'
+import type { Work } from './rounds.ts'
 
 // `bench --against` bundles this file with the physics of each checkout, so that no call site sees two of them.
 

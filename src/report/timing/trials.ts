@@ -1,4 +1,4 @@
-import type { IntegratorId, SceneId } from '../physics/index.ts'
+import type { IntegratorId, SceneId } from '../../physics/index.ts'
 import type { Amount } from './works.ts'
 
 /** What is timed: ten seconds in steps so short that even explicit Euler stays in the half-pipe. */
