@@ -6,8 +6,7 @@ import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { drawFlag, drawLongSlope, longSlope } from './shared/longSlope.ts'
-import { drawBlock } from './shared/slope.ts'
+import { drawFlag, drawLongSlope, longSlope, drawBlock } from './shared/slope.ts'
 import { roughly } from './shared/words.ts'
 
 /** How far up the slope one can bet [m], and how long all runs take [s]. */

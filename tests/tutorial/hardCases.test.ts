@@ -6,8 +6,12 @@ import { hardCases } from '../../src/measure/index.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
 import { Book } from '../../src/tutorial/build/book.ts'
-import { boundText, claimRow, valueText } from '../../src/tutorial/build/hardCaseFigures.ts'
-import { hardCasesHtml } from '../../src/tutorial/build/hardCases.ts'
+import {
+  boundText,
+  claimRow,
+  valueText,
+  hardCasesHtml,
+} from '../../src/tutorial/build/hardCases.ts'
 
 const book = new Book({
   ...{ texts: [], facts: {}, figures: [], takeHome: [], pageIds: [] },
