@@ -1,7 +1,7 @@
 import type { Box } from '../chart/geometry.ts'
 import { fixed, metres } from '../chart/numbers.ts'
 import { widthOf, write } from '../chart/text.ts'
-import { decimalsOf, roundAbove, roundBelow } from '../chart/axis.ts'
+import { decimalsOf, roundAbove, roundBelow } from '../chart/ticks.ts'
 import { drawAngle } from './angleArc.ts'
 import { drawGround } from './ground.ts'
 import type { Palette } from './palette.ts'

@@ -1,6 +1,6 @@
 import { clamp } from '../chart/geometry.ts'
 import type { Point } from '../chart/geometry.ts'
-import { roundAbove, toStep } from '../chart/axis.ts'
+import { roundAbove, toStep } from '../chart/ticks.ts'
 import { bodyAt } from './actors.ts'
 import { centre } from './body.ts'
 import { changed, handleAt } from './handles.ts'

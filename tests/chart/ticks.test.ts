@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { roundAbove, roundBelow, toStep } from '../../src/chart/axis.ts'
+import { roundAbove, roundBelow, toStep } from '../../src/chart/ticks.ts'
 
 test.each([
   [0.2, 0.2, 0.2],

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { readAddress } from '../../src/lab/state/address.ts'
-import { hardCaseClaims } from '../../src/measure/hardCases/index.ts'
+import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import type { Claim } from '../../src/measure/hardCases/hardCase.ts'
 import { hardCases } from '../../src/measure/index.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'

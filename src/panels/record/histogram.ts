@@ -1,6 +1,6 @@
 import { html, svg } from 'lit'
 import { plain } from '../../chart/numbers.ts'
-import { roundBelow } from '../../chart/axis.ts'
+import { roundBelow } from '../../chart/ticks.ts'
 
 /** As many bars as can be told apart. */
 const MOST = 40

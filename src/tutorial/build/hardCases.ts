@@ -1,4 +1,5 @@
-import { hardCaseClaims, hardCases } from '../../measure/hardCases/index.ts'
+import { hardCaseClaims } from '../../measure/hardCases/claims.ts'
+import { hardCases } from '../../measure/hardCases/index.ts'
 import type { HardCase } from '../../measure/hardCases/index.ts'
 import { hardCaseResults } from '../../measure/hardCases/results.ts'
 import type { Result } from '../../measure/hardCases/results.ts'
