@@ -241,6 +241,7 @@ export abstract class Lab extends LitElement implements LabView {
           .playback=${playback}
           .picture=${(time: number) => ({ ...still, time, forces: panels?.forces?.() })}
           .description=${this.spoken}
+          .forceDrawing=${panels?.forceDrawing}
           .change=${(values: Readonly<Record<string, number>>) =>
             this.change({ kind: 'parameters', values })}
         ></slide-stage>

@@ -7,7 +7,7 @@ import type { Backdrop } from './backdrop.ts'
 import { strokeBody, centre, fillBody } from './body.ts'
 import { drawCaptions, placeCaptions } from './captions.ts'
 import { drawHandleNumbers, numberBoxes } from './handleNumbers.ts'
-import { drawForces, forceArrows } from './forces.ts'
+import type { ForceDrawing } from './forces.ts'
 import { drawHandles } from './handles.ts'
 import type { Palette } from './palette.ts'
 import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
@@ -24,6 +24,7 @@ export function paint(
   setting: Setting,
   palette: Palette,
   backdrop: Pick<Backdrop, 'draw'>,
+  forces?: ForceDrawing,
 ): void {
   const { layout, projection, handles, numbers } = setting
   const { scene, time } = picture
@@ -49,12 +50,12 @@ export function paint(
   // Beside a fall arrows give way to captions, elsewhere captions to arrows.
   const column = falls ? place(boxes) : []
   const taken = [...room, ...words, ...column.map(({ box }) => box)]
-  const arrows = selected ? forceArrows(picture, selected, layout, taken) : []
+  const arrows = (selected && forces?.arrows(picture, selected, layout, taken)) ?? []
   for (const arrow of arrows) room.push(arrow.box, ...arrow.room)
   const letters = [...boxes, ...arrows.map(({ box }) => box)]
   drawCaptions(context, falls ? column : place(room), letters, falls, palette)
   if (physics) drawWords(context, physics, layout, falls, palette)
-  drawForces(context, arrows, palette)
+  forces?.draw(context, arrows, palette)
   // An arrow would hide the angle's number.
   if (arrows[0] && words[0]) drawAngle(context, picture, layout, projection, palette)
   drawHandleNumbers(context, numbers, boxes, layout, falls, palette)
