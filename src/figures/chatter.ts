@@ -8,7 +8,7 @@ import { write } from '../chart/text.ts'
 import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 1.5
 const scene = {

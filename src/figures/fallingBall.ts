@@ -7,7 +7,7 @@ import { rowAt } from '../view/timeline.ts'
 import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 /** How long it falls [s], and as deep as the picture goes [m]. */
 const DURATION = 1

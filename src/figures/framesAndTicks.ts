@@ -14,8 +14,7 @@ import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
-import { stepsOf } from './shared/steps.ts'
-import { roughly } from './shared/words.ts'
+import { stepsOf, roughly } from './shared/readings.ts'
 
 const DURATION = 0.6
 

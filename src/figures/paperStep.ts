@@ -8,7 +8,7 @@ import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawSlope, slopeThrough } from './shared/slope.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 3
 const parameters = { angle: 20, muStatic: 0.5, muKinetic: 0.5, speed: 3 } as const

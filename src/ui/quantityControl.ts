@@ -4,7 +4,7 @@ import { live } from 'lit/directives/live.js'
 import type { NumberOption } from '../physics/index.ts'
 import { shownNumber, writeNumber } from '../chart/numbers.ts'
 import { readNumber } from '../chart/typedNumber.ts'
-import { freshId } from './freshId.ts'
+import { freshId } from './input.ts'
 import { icon } from './icons.ts'
 
 /** What a control needs to know of the number that it sets. */

@@ -1,5 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
-import { freshId } from '../../ui/freshId.ts'
+import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { isPublic, site } from '../../lab/site.ts'
 import { linkTo } from '../../lab/state/address.ts'
