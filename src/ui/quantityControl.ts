@@ -181,7 +181,7 @@ class QuantityControl extends LitElement {
   }
 }
 
-customElements.define('quantity-control', QuantityControl)
+customElements.define('slide-quantity-control', QuantityControl)
 
 /** A quantity's symbol as it is set: the letter after a μ tells which μ it is. */
 export function typeset(symbol: string) {

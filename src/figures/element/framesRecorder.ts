@@ -29,4 +29,4 @@ class FramesRecorder extends Recorder {
   }
 }
 
-customElements.define('frames-recorder', FramesRecorder)
+customElements.define('slide-frames-recorder', FramesRecorder)

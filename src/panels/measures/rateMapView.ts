@@ -181,4 +181,4 @@ function mapCross(host: Host): PictureChoice<MapPlace> {
   })
 }
 
-customElements.define('rate-map', RateMap)
+customElements.define('slide-rate-map', RateMap)

@@ -113,4 +113,4 @@ class RecordFrames extends Recorder {
   }
 }
 
-customElements.define('record-frames', RecordFrames)
+customElements.define('slide-record-frames', RecordFrames)
