@@ -1,16 +1,13 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
-import { beforeAll, describe, expect, test } from 'vitest'
+import { describe, expect, test } from 'vitest'
 import type { SlideFigureElement } from '../../src/elements.ts'
-import { buildElements, openAt, serve } from './hosts.ts'
+import { builtElements, openAt, serve } from './hosts.ts'
 
 /* The elements in pages of plain HTML: whatever those do, both go on as they were. */
 
-let module: string
-beforeAll(() => {
-  ;({ module } = buildElements())
-}, 180_000)
+const { module } = builtElements()
 
 type Options = Parameters<typeof openAt>[2] & { head?: string; root?: string }
 

@@ -1,4 +1,3 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
 import type { Drawing } from '../../src/panels/plots/curves.ts'
@@ -6,6 +5,7 @@ import { boxOf } from '../../src/panels/plots/chart.ts'
 import { experimentOf } from '../../src/lab/state/check.ts'
 import { opening } from '../../src/lab/state/opening.ts'
 import { exact, simulate } from '../../src/physics/index.ts'
+import { violationsOn } from './axe.ts'
 import { openLab } from './labPage.ts'
 
 const runs = opening.runners.map((runner) => simulate(experimentOf(opening, runner)))
@@ -291,8 +291,7 @@ test('another theme draws other colours', async () => {
 test.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', async (colorScheme) => {
   const lab = await openPlots('', { colorScheme })
   await lab.plot('phase').locator('summary').click()
-  const { violations } = await new AxeBuilder({ page: lab.page }).include('lab-plots').analyze()
-  expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
+  expect(await violationsOn(lab.page, 'lab-plots')).toEqual([])
   expect(lab.problems).toEqual([])
 })
 
