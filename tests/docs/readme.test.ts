@@ -1,11 +1,11 @@
 import { execFileSync } from 'node:child_process'
-import { existsSync, readFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { build } from 'vite'
 import { describe, expect, it } from 'vitest'
-import { exact } from '../src/physics/index.ts'
+import { exact } from '../../src/physics/index.ts'
 
-const root = join(import.meta.dirname, '..')
+const root = join(import.meta.dirname, '../..')
 const readme = readFileSync(join(root, 'README.md'), 'utf8')
 
 describe('README', () => {
@@ -45,20 +45,5 @@ describe('README', () => {
       expect(Number(exactly)).toBe(truth)
       expect(Math.abs(Number(s) - truth)).toBeLessThan(1e-12)
     }
-  })
-
-  it.each(['README.md', 'CONTRIBUTING.md'])('%s names only what exists', (name) => {
-    const text = readFileSync(join(root, name), 'utf8')
-    for (const [, path] of text.matchAll(/`((?:src|tests|public)\/[\w./-]+)`/g)) {
-      if (!/your(Method|Scene|Clock)/.test(path!))
-        expect(existsSync(join(root, path!)), path).toBe(true)
-    }
-    for (const [, path] of text.matchAll(/\]\(((?!http)[^)]+)\)/g))
-      expect(existsSync(join(root, path!)), path).toBe(true)
-    const { scripts } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')) as {
-      scripts: Record<string, string>
-    }
-    for (const [, script] of text.matchAll(/npm run ([\w:-]+)/g))
-      expect(Object.keys(scripts)).toContain(script)
   })
 })
