@@ -6,5 +6,5 @@ import config from './vitest.config.ts'
  * hour, and runs before a release.
  */
 export default mergeConfig(config, {
-  test: { env: { TEST_LONG: 'yes' }, testTimeout: 1_200_000 },
+  test: { env: { TEST_LONG: 'yes' }, testTimeout: 3_600_000 },
 })

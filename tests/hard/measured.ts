@@ -9,7 +9,7 @@ import type { Bound } from '../../src/measure/hardCases/hardCase.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import type { Result, Results } from '../../src/measure/hardCases/results.ts'
 import { integrators } from '../../src/physics/index.ts'
-import { samples } from '../samples.ts'
+import { isLong, samples } from '../samples.ts'
 
 declare module 'vitest' {
   interface TaskMeta {
@@ -58,8 +58,7 @@ export function published(name: string, ...longCases: string[]): void {
   if (samples(100) < 100) return
   it(`these figures are the ones on the page, in results/${name}.json`, ({ task }) => {
     // Every claim is measured, as far as this run goes.
-    const isWhole = samples(0, 1) === 1
-    const left = isWhole ? [] : longCases
+    const left = isLong ? [] : longCases
     const whole = Object.entries(results).filter(([hardCase]) => !left.includes(hardCase))
     for (const [hardCase, claims] of whole)
       expect(Object.keys(claims).sort()).toEqual(Object.keys(hardCaseClaims[hardCase]!).sort())

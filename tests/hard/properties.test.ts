@@ -13,7 +13,7 @@ import {
 import type { FramesChoice, ResolvedExperiment, Trajectory } from '../../src/physics/index.ts'
 import { energyErrorOfStep, heights, lawOf, methodOf, sceneOf } from './energyBound.ts'
 import { choice, experiments, tame, work } from './experiments.ts'
-import { check, FUZZES } from './runs.ts'
+import { check } from './runs.ts'
 
 const columns = ['time', 'stateTime', 's', 'v', 'drawnS', 'heat'] as const
 const last = (values: Float64Array) => values[values.length - 1]!
@@ -26,9 +26,7 @@ const durations = fc.array(
   fc.integer({ min: 1, max: 200 }).map((ms) => ms / 1000),
   { minLength: 1, maxLength: 60 },
 )
-const timeout = FUZZES ? 3_600_000 : 60_000
-
-describe('any experiment at all', { timeout }, () => {
+describe('any experiment at all', () => {
   it('gives numbers, ever later times, heat that never falls, and counters that add up', () => {
     check(0.4, experiments('wild'), (experiment) => {
       const run = simulate(experiment)
@@ -93,7 +91,7 @@ function expectOutcome(run: Trajectory): void {
   expect(run.s.every((s, row) => s === end || run.stateTime[row]! <= outcome.time)).toBe(true)
 }
 
-describe('energy', { timeout }, () => {
+describe('energy', () => {
   it('never rises beyond the order of the method, in steps that resolve the motion', () => {
     const drawn = experiments('tame', { stoppings: located, timesteps: variable })
     check(0.2, drawn, (experiment) => {
@@ -115,7 +113,7 @@ describe('energy', { timeout }, () => {
   })
 })
 
-describe('rest', { timeout }, () => {
+describe('rest', () => {
   const resting = stoppings.filter(({ holdsSlip }) => holdsSlip)
 
   it('under tan α ≤ μs is for ever, to the last bit, whatever the frames, the policy and the method', () => {
@@ -144,7 +142,7 @@ describe('rest', { timeout }, () => {
   })
 })
 
-describe('frames', { timeout }, () => {
+describe('frames', () => {
   const second = integrators.filter(({ order }) => order >= 2)
   const fall = scenes.filter(({ id }) => id === 'fall')
   const ramp = scenes.filter(({ id }) => id === 'ramp')
@@ -195,7 +193,7 @@ describe('frames', { timeout }, () => {
   })
 })
 
-describe('symmetries', { timeout }, () => {
+describe('symmetries', () => {
   it('mirror images give mirrored bits', () => {
     const mirrored = scenes.filter(({ id }) => id !== 'run-out')
     check(0.05, experiments('tame', { scenes: mirrored }), (experiment) => {
