@@ -35,7 +35,7 @@ export const speedAgainstError = figure({
       })),
     ),
   hosted: {
-    tag: 'speed-diagram',
+    tag: 'slide-speed-diagram',
     define: () => import('../panels/measures/speedDiagram.ts'),
     room: { wide: 16, narrow: 54 },
     properties: { experiment: { scene: 'half-pipe', duration: DURATION } satisfies Experiment },

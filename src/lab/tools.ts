@@ -11,9 +11,9 @@ export function tools(lab: LabView) {
     ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
     ${presetMenu(lab)}
-    <share-menu .lab=${lab}>
+    <slide-share-menu .lab=${lab}>
       <button type="button" class="toggle" aria-expanded="false">Share</button>
-    </share-menu>
+    </slide-share-menu>
   </div>`
 }
 

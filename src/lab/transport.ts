@@ -56,11 +56,11 @@ export function transport({ simulated, playback }: LabView) {
         .value=${atNow(playback, (time) => live(String(time)))}
         @input=${(event: Event) => playback.seek((event.target as HTMLInputElement).valueAsNumber)}
       />
-      <frame-strip
+      <slide-frame-strip
         .runners=${simulated.visible}
         .duration=${duration}
         .playback=${playback}
-      ></frame-strip>
+      ></slide-frame-strip>
     </div>
     <p class="clock"><span .style="width: ${whole.length}ch">${shown}</span> / ${whole} s</p>
   </div>`

@@ -23,15 +23,19 @@ export const instruments: OpenPanels = (lab) => {
     below() {
       const { simulated, playback, selected } = lab
       return html`${forces.panel()} ${parametersPanel(lab)} ${runnersTable(lab)}
-        <lab-plots
+        <slide-lab-plots
           part="plots"
           .simulated=${simulated}
           .time=${atNow(playback, (time) => time)}
           .playback=${playback}
           .selected=${selected}
           .seek=${(time: number) => playback.seek(time)}
-        ></lab-plots>
-        <lab-measures .simulated=${simulated} .selected=${selected} .lab=${lab}></lab-measures>
+        ></slide-lab-plots>
+        <slide-lab-measures
+          .simulated=${simulated}
+          .selected=${selected}
+          .lab=${lab}
+        ></slide-lab-measures>
         ${stepInspector(lab)}`
     },
   }

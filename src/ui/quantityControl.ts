@@ -181,4 +181,4 @@ class QuantityControl extends LitElement {
   }
 }
 
-customElements.define('quantity-control', QuantityControl)
+customElements.define('slide-quantity-control', QuantityControl)

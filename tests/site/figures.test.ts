@@ -191,7 +191,9 @@ test('the bet: place the flag, run, and be told', async () => {
 test('your-frames records the frames of this browser', async () => {
   const site = await openFigures(['your-frames'])
   const figure = await site.see('your-frames')
-  await figure.locator('frames-recorder').evaluate((each) => Object.assign(each, { length: 0.4 }))
+  await figure
+    .locator('slide-frames-recorder')
+    .evaluate((each) => Object.assign(each, { length: 0.4 }))
   await figure.getByRole('button', { name: 'Record' }).click()
   await expect.poll(() => site.says('your-frames'), { timeout: 5000 }).toContain('Your browser')
   const { frames } = await site.values('your-frames')

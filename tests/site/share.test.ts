@@ -19,7 +19,7 @@ async function openSharing(address = '', options: Parameters<typeof openLab>[1] 
   return lab
 }
 const item = (lab: Lab, name: string) => lab.page.getByRole('button', { name })
-const status = (lab: Lab) => lab.page.locator('share-menu [role="status"]')
+const status = (lab: Lab) => lab.page.locator('slide-share-menu [role="status"]')
 const clipboard = (lab: Lab) => lab.page.evaluate(() => navigator.clipboard.readText())
 
 async function copied(lab: Lab, name: string): Promise<string> {

@@ -159,4 +159,4 @@ class FigurePicture extends LitElement {
   }
 }
 
-customElements.define('figure-picture', FigurePicture)
+customElements.define('slide-figure-picture', FigurePicture)

@@ -84,4 +84,4 @@ class FramesRecorder extends LitElement {
   }
 }
 
-customElements.define('frames-recorder', FramesRecorder)
+customElements.define('slide-frames-recorder', FramesRecorder)

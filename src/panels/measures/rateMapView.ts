@@ -184,4 +184,4 @@ function mapCross(host: Host): PictureChoice<MapPlace> {
   })
 }
 
-customElements.define('rate-map', RateMap)
+customElements.define('slide-rate-map', RateMap)

@@ -163,7 +163,7 @@ export function curveKey(curves: readonly DiagramCurve[]) {
     ${integrators.map(
       ({ id, label, colour }) =>
         html`<li>
-          <runner-mark .paletteIndex=${colour}></runner-mark> ${label}
+          <slide-runner-mark .paletteIndex=${colour}></slide-runner-mark> ${label}
           <span class="soft">${curves.find(({ method }) => method === id)?.order}</span>
         </li>`,
     )}
@@ -177,7 +177,7 @@ export function ringKey(runners: readonly LabRunner[]) {
     ${runners.map(
       ({ name, paletteIndex, point, why }) =>
         html`<li title=${point ? `${raw(point.error)} m` : ''}>
-          <runner-mark .paletteIndex=${paletteIndex}></runner-mark> ${name}
+          <slide-runner-mark .paletteIndex=${paletteIndex}></slide-runner-mark> ${name}
           <span class="soft">${point ? errorText(point) : `no ring: ${why}`}</span>
         </li>`,
     )}
@@ -189,4 +189,4 @@ export function ringKey(runners: readonly LabRunner[]) {
   </ul>`
 }
 
-customElements.define('speed-diagram', SpeedDiagram)
+customElements.define('slide-speed-diagram', SpeedDiagram)

@@ -145,4 +145,4 @@ class SpreadView extends LitElement {
   }
 }
 
-customElements.define('spread-view', SpreadView)
+customElements.define('slide-spread-view', SpreadView)

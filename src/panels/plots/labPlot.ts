@@ -218,4 +218,4 @@ class LabPlot extends LitElement {
   }
 }
 
-customElements.define('lab-plot', LabPlot)
+customElements.define('slide-lab-plot', LabPlot)

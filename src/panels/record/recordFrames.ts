@@ -162,4 +162,4 @@ class RecordFrames extends LitElement {
   }
 }
 
-customElements.define('record-frames', RecordFrames)
+customElements.define('slide-record-frames', RecordFrames)

@@ -32,13 +32,13 @@ function field(
 ) {
   if (option.type === 'choice') return choiceField(of, option, value as string, pick)
   if (option.type === 'list') return timesField(of, option, value as readonly number[], pick)
-  return html`<quantity-control
+  return html`<slide-quantity-control
     layout=${key === 'fps' ? 'bare' : 'inline'}
     .quantity=${option}
     .value=${value as number}
     .labelled=${of}
     .pick=${pick}
-  ></quantity-control>`
+  ></slide-quantity-control>`
 }
 
 function choiceField(

@@ -74,7 +74,7 @@ class RunnerRow extends LitElement {
   private mark() {
     const { paletteIndex, hidden } = this.runner.state
     return html`<span class="mark"
-      ><runner-mark .paletteIndex=${paletteIndex} .hollow=${hidden}></runner-mark
+      ><slide-runner-mark .paletteIndex=${paletteIndex} .hollow=${hidden}></slide-runner-mark
     ></span>`
   }
 
@@ -238,4 +238,4 @@ class RunnerRow extends LitElement {
   }
 }
 
-customElements.define('runner-row', RunnerRow)
+customElements.define('slide-runner-row', RunnerRow)

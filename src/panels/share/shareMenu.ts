@@ -171,4 +171,4 @@ function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
   })
 }
 
-customElements.define('share-menu', ShareMenu)
+customElements.define('slide-share-menu', ShareMenu)

@@ -257,4 +257,4 @@ function hasNote(runner: SimulatedRunner): boolean {
   return noteOf(runner, 0) !== ''
 }
 
-customElements.define('frame-strip', FrameStrip)
+customElements.define('slide-frame-strip', FrameStrip)

@@ -112,4 +112,4 @@ function aims({ targets }: Report) {
   </div>`
 }
 
-customElements.define('measured-report', MeasuredReport)
+customElements.define('slide-measured-report', MeasuredReport)
