@@ -3,7 +3,7 @@
  * compares them with the results that the page is made from. `npm run hard-cases` writes those anew.
  */
 import { expect, it } from 'vitest'
-import { hardCaseClaims } from '../../src/measure/hardCases/index.ts'
+import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import { holds, nearness } from '../../src/measure/hardCases/hardCase.ts'
 import type { Bound } from '../../src/measure/hardCases/hardCase.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'

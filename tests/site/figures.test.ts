@@ -10,7 +10,7 @@ const ids = figures.map(({ id }) => id)
 
 test('every figure comes alive when it comes near, shows what it opens with, and says it', async () => {
   const site = await openFigures(ids)
-  for (const { id, load, title } of figures) {
+  for (const { id, load } of figures) {
     const element = await site.see(id)
     const figure = await load()
     expect(await site.values(id)).toEqual(initialValues(figure.controls))
@@ -19,7 +19,7 @@ test('every figure comes alive when it comes near, shows what it opens with, and
     expect((await site.says(id)).replace(/\s+/g, ' ')).toBe(
       figure.says(values, runs, time).replace(/\s+/g, ' '),
     )
-    expect(await element.getAttribute('aria-label')).toBe(title)
+    expect(await element.getAttribute('aria-label')).toBe(figure.title)
     expect(await site.time(id)).toBe(time)
   }
   site.expectNoProblems()

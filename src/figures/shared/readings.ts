@@ -1,5 +1,7 @@
 import { traceFrame } from '../../physics/index.ts'
 import type { Trajectory } from '../../physics/index.ts'
+import { withoutRounding } from '../../measure/index.ts'
+import { roughMetres } from '../../chart/numbers.ts'
 
 /** A physics step inside a frame. */
 export interface Step {
@@ -23,4 +25,9 @@ export function stepsOf(run: Trajectory): readonly Step[] {
     kept.set(run, (ticks = all))
   }
   return ticks
+}
+
+/** A distance [m] to two digits, on the paths of some metres that the figures have: “0.048 m”, “3.2 mm”. */
+export function roughly(distance: number): string {
+  return roughMetres(withoutRounding(distance, 1))
 }

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest'
-import { readNumber, shownNumber, writeNumber } from '../../src/chart/numbers.ts'
+import { shownNumber, writeNumber } from '../../src/chart/numbers.ts'
+import { readNumber } from '../../src/chart/typedNumber.ts'
 
 test.each([
   ['1e-3', 0.001],
