@@ -138,11 +138,11 @@ export function frictionText(
   const { friction, normal } = vectors
   const newtons = (value: number) => `${quantity(value, largest)}\u2009N`
   const size = newtons(length(friction))
-  if (vectors.rubbing === 'held') {
+  if (vectors.frictionKind === 'held') {
     const most = muStatic * length(normal)
     return `Static friction holds it: ${size} of at most ${newtons(most)}.`
   }
-  if (vectors.rubbing === 'none')
+  if (vectors.frictionKind === 'none')
     return muStatic + muKinetic > 0
       ? 'No friction at v = 0: the naive rule knows only the friction of sliding.'
       : 'No friction: μ is 0.'
