@@ -19,7 +19,7 @@ export function spreadNumber({ simulated: { spread, visible } }: LabView, counte
   if (!spread || visible.length < 2)
     return html`<p class="spread" part="spread">
       <span>${label}</span>
-      <output title="It takes two visible runners to be apart.">–</output>
+      <output title="The spread needs two visible runners.">–</output>
     </p>`
   const { value, remark, title } = spreadText(
     spread,

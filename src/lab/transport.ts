@@ -33,11 +33,11 @@ export function transport({ simulated, playback }: LabView) {
       >
         ${icon(playing ? 'pause' : 'play')}
       </button>
-      ${button('on', 'One frame on (→)', () => playback.stepFrames(1))}
+      ${button('on', 'One frame forward (→)', () => playback.stepFrames(1))}
       ${button('end', 'To the end (End)', () => playback.toEnd())}
     </div>
     <select
-      aria-label="Playing speed"
+      aria-label="Playback speed"
       @change=${(event: Event) => {
         playback.speed = speeds[(event.target as HTMLSelectElement).selectedIndex]![0]
       }}

@@ -80,7 +80,7 @@ function table(lab: LabView, { largest }: Looked, { vectors, velocity }: BlockFo
       <tr>
         <td></td>
         <th scope="col">Size</th>
-        <th scope="col" title="In the direction in which s grows">
+        <th scope="col" title="In the direction of increasing s">
           Along <span aria-hidden="true">${arrow}</span>
         </th>
         <th scope="col" title="Away from the track">Across</th>

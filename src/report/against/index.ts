@@ -1,5 +1,5 @@
 import { inChild } from '../child.ts'
-import { nanoseconds } from '../text/figures.ts'
+import { nanoseconds } from '../text/numbers.ts'
 import { plainTable } from '../text/markdown.ts'
 import type { Care } from '../timing/rounds.ts'
 import { bundleWorks } from './bundle.ts'

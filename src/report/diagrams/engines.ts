@@ -1,7 +1,7 @@
 import * as Plot from '@observablehq/plot'
 import { byHand, ours, recorded } from '../engineList.ts'
 import type { Report } from '../schema.ts'
-import { metres, nanoseconds, times } from '../text/figures.ts'
+import { metres, nanoseconds, times } from '../text/numbers.ts'
 import { draw, metricPower, powers } from './draw.ts'
 import type { Drawing } from './draw.ts'
 import { legend } from './legend.ts'

@@ -1,7 +1,7 @@
 import { integrators, scenes } from '../../physics/index.ts'
 import { engines as physicsEngines } from '../engines/index.ts'
 import type { FrameTime, Report } from '../schema.ts'
-import { eachInMetres, metres, nanoseconds, plain, times } from './figures.ts'
+import { eachInMetres, metres, nanoseconds, plain, times } from './numbers.ts'
 
 /** A table of the report: what README and the terminal show of it. */
 export interface Table {
