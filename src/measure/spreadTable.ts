@@ -4,12 +4,10 @@ import { frameRateSpread } from './spread.ts'
 import type { Spread } from './spread.ts'
 
 /** A way to turn frames into motion. */
-export type MethodChoice = Readonly<
-  Pick<ResolvedExperiment, 'integrator' | 'stopping' | 'timestep'>
->
+export type Method = Readonly<Pick<ResolvedExperiment, 'timestep' | 'integrator' | 'stopping'>>
 
 /** The paper's step, as a game would have it: whatever the frame lasted, times the new velocity; friction against it. */
-export const paperMethod: MethodChoice = {
+export const paperMethod: Method = {
   integrator: 'semi-implicit-euler',
   stopping: 'naive',
   timestep: { kind: 'variable' },
@@ -19,13 +17,13 @@ export const paperMethod: MethodChoice = {
 export function spreadMethods({
   stopping,
   timestep,
-}: Pick<MethodChoice, 'stopping' | 'timestep'>): readonly MethodChoice[] {
+}: Pick<Method, 'stopping' | 'timestep'>): readonly Method[] {
   return [paperMethod, ...integrators.map(({ id }) => ({ integrator: id, stopping, timestep }))]
 }
 
 /** Methods × experiments. */
 export interface SpreadRequest {
-  readonly methods: readonly MethodChoice[]
+  readonly methods: readonly Method[]
   /** A column each; what they say of method and frames is replaced. */
   readonly experiments: readonly Experiment[]
 }

@@ -9,10 +9,10 @@ export interface Frames {
   next(): void
 }
 
-/** A way in which frames follow each other. */
-export interface FrameClock extends Described {
+/** A way in which frames follow each other; `Choice` is what an experiment says of it. */
+export interface FrameClock<Choice = never> extends Described {
   readonly options: Options
   /** How many frames a run of that many seconds has at the most; chance may add a few. */
-  frames(options: never, duration: number): number
-  start(options: never): Frames
+  frames(choice: Choice, duration: number): number
+  start(choice: Choice): Frames
 }

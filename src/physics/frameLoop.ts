@@ -1,7 +1,6 @@
 import type { ResolvedExperiment } from './experiment.ts'
-import type { FrameClock, Frames } from './frameClock.ts'
-import { frameClocks } from './frames/index.ts'
-import { entry } from './lists.ts'
+import type { Frames } from './frameClock.ts'
+import { clockOf } from './frames/index.ts'
 import { Run } from './run.ts'
 import type { advance } from './step.ts'
 
@@ -17,9 +16,9 @@ export class FrameLoop {
 
   constructor(experiment: ResolvedExperiment, step?: typeof advance) {
     const { frames, duration } = experiment
-    const clock: FrameClock = entry(frameClocks, frames.kind)
-    this.clock = clock.start(frames as never)
-    this.expectedFrames = Math.ceil(clock.frames(frames as never, duration))
+    const clock = clockOf(frames)
+    this.clock = clock.start()
+    this.expectedFrames = Math.ceil(clock.frames(duration))
     this.duration = duration
     this.slack = 4 * Number.EPSILON * duration
     this.run = new Run(experiment, step)

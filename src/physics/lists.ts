@@ -1,6 +1,12 @@
-/** The entry of a list with that id. The id has passed `parseExperiment`, so there is one. */
-export function entry<T extends { readonly id: string }>(list: readonly T[], id: string): T {
-  const found = list.find((candidate) => candidate.id === id)
+/**
+ * The entry of a list with that id; `Named` is its type where the id tells it. The id has passed `parseExperiment`, so
+ * there is one.
+ */
+export function entry<T extends { readonly id: string }, Named extends T = T>(
+  list: readonly T[],
+  id: string,
+): Named {
+  const found = list.find((candidate): candidate is Named => candidate.id === id)
   if (!found)
     throw new Error(`There is no “${id}” in the list ${list.map((each) => each.id).join(', ')}.`)
   return found

@@ -10,8 +10,8 @@ import { scenes } from './scenes/index.ts'
 import { advance } from './step.ts'
 import { stoppings } from './stopping/index.ts'
 import type { StoppingRule } from './stoppingRule.ts'
-import { timesteps } from './timesteps/index.ts'
-import type { Advance, FrameContext, TimestepPolicy } from './timestepPolicy.ts'
+import { policyOf } from './timesteps/index.ts'
+import type { Advance, FrameContext } from './timestepPolicy.ts'
 
 /** How a run stands or ended, and since when on the physics clock [s]. */
 export interface Outcome {
@@ -51,11 +51,10 @@ export class Run implements FrameContext {
   /** @param step what takes each step: `advance`, or what watches it */
   constructor(experiment: ResolvedExperiment, step = advance) {
     const scene: Scene = entry(scenes, experiment.scene)
-    const timestep: TimestepPolicy = entry(timesteps, experiment.timestep.kind)
     const { parameters } = experiment
     this.integrator = entry(integrators, experiment.integrator)
     this.rule = entry(stoppings, experiment.stopping)
-    this.policy = timestep.start(experiment.timestep as never)
+    this.policy = policyOf(experiment.timestep).start()
     this.advance = step
     this.motion = new Motion(
       scene.law(parameters),

@@ -19,14 +19,14 @@ export interface FrameContext {
 /** Turns one frame into steps of the motion. */
 export type Advance = (frame: FrameContext) => void
 
-/** How physics time follows from frame time. */
-export interface TimestepPolicy extends Described {
+/** How physics time follows from frame time; `Choice` is what an experiment says of it. */
+export interface TimestepPolicy<Choice = never> extends Described {
   readonly options: Options
   /** All of the frame time reaches the motion, sooner or later. */
   readonly losesTime: boolean
   /** About how many steps a run of that many seconds and frames asks for, at the most. */
-  steps(options: never, duration: number, frames: number): number
-  start(options: never): Advance
+  steps(choice: Choice, duration: number, frames: number): number
+  start(choice: Choice): Advance
 }
 
 /**

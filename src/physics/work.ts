@@ -1,14 +1,12 @@
 import { limits } from './experiment.ts'
 import type { ResolvedExperiment } from './experiment.ts'
-import type { FrameClock } from './frameClock.ts'
-import { frameClocks } from './frames/index.ts'
+import { clockOf } from './frames/index.ts'
 import type { Integrator } from './integrator.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import type { Problem } from './problems.ts'
 import type { Parameters } from './state.ts'
-import type { TimestepPolicy } from './timestepPolicy.ts'
-import { timesteps } from './timesteps/index.ts'
+import { policyOf } from './timesteps/index.ts'
 import { sinCosDegrees } from './trigonometry.ts'
 
 /** Trial steps that locating one event takes: regula falsi on a smooth residual needs 5 to 10. */
@@ -21,15 +19,13 @@ const TRIALS = 8
 export function workProblems(experiment: ResolvedExperiment, whole: boolean): Problem[] {
   const { duration, frames, timestep, integrator, stopping, parameters } = experiment
   const problems: Problem[] = []
-  const clock: FrameClock = entry(frameClocks, frames.kind)
-  const policy: TimestepPolicy = entry(timesteps, timestep.kind)
-  const frameCount = clock.frames(frames as never, duration)
+  const frameCount = clockOf(frames).frames(duration)
   if (frameCount > limits.frames)
     problems.push({
       path: 'duration',
       message: `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
     })
-  const steps = policy.steps(timestep as never, duration, frameCount)
+  const steps = policyOf(timestep).steps(duration, frameCount)
   if (steps > limits.steps)
     problems.push({
       path: 'timestep.step',

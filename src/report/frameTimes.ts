@@ -1,11 +1,11 @@
 import { handwritten, looping } from './handwritten/index.ts'
 import type { Handwritten } from './handwritten/index.ts'
-import type { FrameTime, Timing } from './schema.ts'
+import type { FrameTime, Timing } from './schema/index.ts'
 import { bytesOf } from './timing/bytes.ts'
 import { ratioOf, timeRounds, timingOf } from './timing/rounds.ts'
 import type { Care } from './timing/rounds.ts'
-import { timed, trial } from './trials.ts'
-import { framing, runEverything } from './works.ts'
+import { timed, trial } from './timing/trials.ts'
+import { framing, runEverything } from './timing/works.ts'
 
 /** What one process finds out about a scene and a method: beside the handwritten loop, alone or after everything else. */
 export interface LoopTimes {

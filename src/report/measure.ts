@@ -1,16 +1,14 @@
+import { cpus, release, type } from 'node:os'
 import { integrators } from '../physics/index.ts'
 import { inChild } from './child.ts'
 import type { TaskName, Tasks } from './tasks.ts'
-import { engineList } from './engineList.ts'
+import { engineList, engines } from './engines/index.ts'
 import { compareAt } from './frontiers/compare.ts'
 import { problems } from './frontiers/problems.ts'
 import { frameTimes } from './frameTimes.ts'
 import { handwritten } from './handwritten/index.ts'
-import { machine } from './machine.ts'
-import { engines } from './engines/index.ts'
 import { engineClocks, engineScenes } from './engines/scenes.ts'
-import type { Frontier, Report, WorkCurve } from './schema.ts'
-
+import type { Frontier, Report, WorkCurve, Machine } from './schema/index.ts'
 import { targets } from './targets.ts'
 import type { Care } from './timing/rounds.ts'
 
@@ -122,4 +120,19 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
     frontiers,
   }
   return { ...measured, targets: targets(measured), notRun }
+}
+
+/** What the figures were measured on. */
+function machine(rounds: number, quick: boolean): Machine {
+  const processors = cpus()
+  return {
+    date: new Date().toISOString(),
+    processor: processors[0]?.model.trim() || 'unknown',
+    cores: processors.length,
+    system: `${type()} ${release()}`,
+    node: process.versions.node,
+    v8: process.versions.v8,
+    rounds,
+    quick,
+  }
 }

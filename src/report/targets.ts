@@ -1,7 +1,6 @@
 import { integrators, scenes } from '../physics/index.ts'
-import { ours } from './engineList.ts'
-import { engines } from './engines/index.ts'
-import type { FrameTime, Report, Target } from './schema.ts'
+import { ours, engines } from './engines/index.ts'
+import type { FrameTime, Report, Target } from './schema/index.ts'
 import { metres } from './text/numbers.ts'
 
 type Measured = Pick<Report, 'frames' | 'engineTests' | 'frontiers'>

@@ -117,12 +117,10 @@ function luminance(colour: Rgb): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-function mix(a: Rgb, b: Rgb, part: number): Rgb {
-  return a.map((value, i) => Math.round(clamp(value + part * (b[i]! - value), 0, 255))) as [
-    number,
-    number,
-    number,
-  ]
+/** The colour at a part of the way from one to the other, 0 … 1. */
+export function mix(a: Rgb, b: Rgb, part: number): Rgb {
+  const at = (i: 0 | 1 | 2) => Math.round(clamp(a[i] + part * (b[i] - a[i]), 0, 255))
+  return [at(0), at(1), at(2)]
 }
 
 function css([r, g, b]: Rgb): string {

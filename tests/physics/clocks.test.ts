@@ -1,13 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import { frameClocks } from '../../src/physics/index.ts'
 import type { FramesChoice } from '../../src/physics/index.ts'
-import type { FrameClock, Frames } from '../../src/physics/frameClock.ts'
-import { entry } from '../../src/physics/lists.ts'
+import type { Frames } from '../../src/physics/frameClock.ts'
+import { clockOf } from '../../src/physics/frames/index.ts'
 import { samples } from '../samples.ts'
 
 function start(choice: FramesChoice): Frames {
-  const clock: FrameClock = entry(frameClocks, choice.kind)
-  return clock.start(choice as never)
+  return clockOf(choice).start()
 }
 
 function ulp(x: number): number {
@@ -176,13 +175,12 @@ describe('frame clocks', () => {
   })
 
   it.each(choices)('tell how many frames a run has: %o', (choice) => {
-    const clock: FrameClock = entry(frameClocks, choice.kind)
     const frames = start(choice)
     const count = samples(100_000)
     for (let i = 0; i < count; i++) frames.next()
     // Chance leaves at most six standard deviations of the mean, below 1 % of so many.
     const give = 0.01 * Math.sqrt(100_000 / count)
-    expect(Math.abs(clock.frames(choice as never, frames.time) / count - 1)).toBeLessThan(give)
+    expect(Math.abs(clockOf(choice).frames(frames.time) / count - 1)).toBeLessThan(give)
   })
 
   it.each<FramesChoice>([
@@ -198,11 +196,10 @@ describe('frame clocks', () => {
     { kind: 'hitch', fps: 60, every: 0.0145, length: 0.001 },
     { kind: 'recorded', durations: [0.001, 0.001, 0.001, 60] },
   ])('tell how many frames a run has that ends among the short ones: %o', (choice) => {
-    const clock: FrameClock = entry(frameClocks, choice.kind)
     const frames = start(choice)
     for (let count = 0; count < 2000; count++) {
       // The frame that reaches the end counts, and the steps to it may be rounded up.
-      expect(count).toBeLessThanOrEqual(clock.frames(choice as never, frames.time) * (1 + 1e-12))
+      expect(count).toBeLessThanOrEqual(clockOf(choice).frames(frames.time) * (1 + 1e-12))
       frames.next()
     }
   })
@@ -211,10 +208,9 @@ describe('frame clocks', () => {
     { kind: 'hitch', fps: 60, every: 0.0145, length: 0.001 },
     { kind: 'hitch', fps: 50, every: 1, length: 0.9999 },
   ])('tell of not twice as many frames as there are: %o', (choice) => {
-    const clock: FrameClock = entry(frameClocks, choice.kind)
     const frames = start(choice)
     for (let i = 0; i < 2000; i++) frames.next()
-    expect(clock.frames(choice as never, frames.time)).toBeLessThan(4000)
+    expect(clockOf(choice).frames(frames.time)).toBeLessThan(4000)
   })
 
   it('draw the same frames for the same seed, and others for another', () => {

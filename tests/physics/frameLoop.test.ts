@@ -2,8 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import { createRun, frameClocks, simulate, timesteps } from '../../src/physics/index.ts'
 import type { Experiment, FramesChoice, Timestep } from '../../src/physics/index.ts'
-import type { FrameClock } from '../../src/physics/frameClock.ts'
-import { entry } from '../../src/physics/lists.ts'
+import { clockOf } from '../../src/physics/frames/index.ts'
 import { last } from './truth.ts'
 
 const clocks: FramesChoice[] = [
@@ -20,9 +19,9 @@ describe('the frames of a run', () => {
   })
 
   it.each(clocks)('are those of its clock, thousands of them: $kind', (frames) => {
-    const { time, stateTime, frames: count } = simulate({ scene: 'fall', duration: 14, frames })
-    const clock: FrameClock = entry(frameClocks, frames.kind)
-    const own = clock.start(frames as never)
+    const run = simulate({ scene: 'fall', duration: 14, frames })
+    const { time, stateTime, frames: count } = run
+    const own = clockOf(run.experiment.frames).start()
     // The loop reads 1024 of them at once.
     expect(count).toBeGreaterThan(1200)
     for (let row = 1; row < count; row++) {

@@ -1,8 +1,7 @@
 import { expect, it } from 'vitest'
-import { simulate, timesteps } from '../../src/physics/index.ts'
+import { simulate } from '../../src/physics/index.ts'
 import type { FramesChoice, Timestep } from '../../src/physics/index.ts'
-import { entry } from '../../src/physics/lists.ts'
-import type { TimestepPolicy } from '../../src/physics/timestepPolicy.ts'
+import { policyOf } from '../../src/physics/timesteps/index.ts'
 
 const choices: Timestep[] = [
   { kind: 'per-frame', step: 1 / 60 },
@@ -15,13 +14,12 @@ const choices: Timestep[] = [
 ]
 
 it.each(choices)('a policy tells how many steps a run takes, at the most: %o', (timestep) => {
-  const policy: TimestepPolicy = entry(timesteps, timestep.kind)
   for (const frames of [
     { kind: 'steady', fps: 60 },
     { kind: 'hitch', fps: 60, every: 0.5, length: 0.3 },
   ] satisfies FramesChoice[]) {
     const { experiment, steps, frames: count } = simulate({ scene: 'fall', timestep, frames })
-    const told = policy.steps(experiment.timestep as never, experiment.duration, count)
+    const told = policyOf(experiment.timestep).steps(experiment.duration, count)
     expect(steps).toBeLessThanOrEqual(told)
     // Each frame may round up to a step more, and dropped steps are told as well.
     expect(told).toBeLessThanOrEqual(steps + count)

@@ -4,7 +4,7 @@ import type { Block, Slope } from '../../src/report/engines/index.ts'
 import { frictionOf } from '../../src/report/engines/measure.ts'
 import { runOurs, runEngine } from '../../src/report/engines/run.ts'
 import { engineClocks, engineScenes } from '../../src/report/engines/scenes.ts'
-import { settled } from '../../src/report/engines/settle.ts'
+import { settled } from '../../src/report/engines/engine.ts'
 
 const gravity = 9.81
 

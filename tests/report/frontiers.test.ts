@@ -4,7 +4,7 @@ import { compareAt, costAt } from '../../src/report/frontiers/compare.ts'
 import { accuracy } from '../../src/report/frontiers/odex.ts'
 import { rated, rates } from '../../src/report/frontiers/ours.ts'
 import { problems } from '../../src/report/frontiers/problems.ts'
-import type { WorkCurve } from '../../src/report/schema.ts'
+import type { WorkCurve } from '../../src/report/schema/index.ts'
 
 describe.each(problems)('$label', (problem) => {
   const { experiment } = problem

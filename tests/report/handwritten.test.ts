@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { simulate } from '../../src/physics/index.ts'
 import { handwritten, looping } from '../../src/report/handwritten/index.ts'
-import { timed, trial } from '../../src/report/trials.ts'
+import { timed, trial } from '../../src/report/timing/trials.ts'
 
 const ground = { gravity: 9.81, mass: 1.5 }
 const stopping = {

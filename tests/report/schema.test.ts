@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
-import { reportProblems } from '../../src/report/schema.ts'
-import type { Report } from '../../src/report/schema.ts'
+import { reportProblems } from '../../src/report/schema/index.ts'
+import type { Report } from '../../src/report/schema/index.ts'
 
 const text = readFileSync(join(import.meta.dirname, '../../public/report/report.json'), 'utf8')
 const report = () => JSON.parse(text) as Report

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { bytesOf } from '../../src/report/timing/bytes.ts'
 import { median, ratioOf, timeRounds, timingOf } from '../../src/report/timing/rounds.ts'
-import { notes } from '../../src/report/engines/notes.ts'
+import { notes } from '../../src/report/engines/run.ts'
 import { engineScenes } from '../../src/report/engines/scenes.ts'
 import { eachInMetres, metres, nanoseconds, plain } from '../../src/report/text/numbers.ts'
 

@@ -1,4 +1,5 @@
-import type { LabState, Method } from './state.ts'
+import type { Method } from '../../measure/index.ts'
+import type { LabState } from './state.ts'
 
 /** A way of moving blocks that all runners can be set to at once. */
 interface Mode {

@@ -1,4 +1,5 @@
 import type { Parameters, ResolvedExperiment, SceneId } from '../../physics/index.ts'
+import type { Method } from '../../measure/index.ts'
 
 /** How one block is moved: everything of an experiment that the runners of a lab do not share, and its looks. */
 export interface RunnerState extends Method {
@@ -7,9 +8,6 @@ export interface RunnerState extends Method {
   readonly paletteIndex: number
   readonly hidden: boolean
 }
-
-/** A way to turn frames into motion. */
-export type Method = Readonly<Pick<ResolvedExperiment, 'timestep' | 'integrator' | 'stopping'>>
 
 /** All that a lab shows, as a plain value: every number and every pixel follows from it. */
 export interface LabState {

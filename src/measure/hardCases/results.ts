@@ -1,4 +1,4 @@
-import type { Bound } from './bound.ts'
+import type { Bound } from './hardCase.ts'
 import extremes from './results/extremes.json'
 import frames from './results/frames.json'
 import friction from './results/friction.json'

@@ -1,12 +1,13 @@
 import { parseExperiment } from '../../physics/index.ts'
 import type { Experiment, SceneId } from '../../physics/index.ts'
+import type { Method } from '../../measure/index.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { preset } from '../../lab/presets/preset.ts'
 import { isAtHome, site } from '../../lab/site.ts'
 import { linkTo, writeAddress } from '../../lab/state/address.ts'
 import { checked } from '../../lab/state/check.ts'
 import { openingOf } from '../../lab/state/opening.ts'
-import type { LabState, Method } from '../../lab/state/state.ts'
+import type { LabState } from '../../lab/state/state.ts'
 
 /** A run that was measured, and what was measured of it, in words. */
 export interface Measured {

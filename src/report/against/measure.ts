@@ -4,9 +4,9 @@ import type { IntegratorId } from '../../physics/index.ts'
 import { handwritten, looping } from '../handwritten/index.ts'
 import { median, ratioOf, timeRounds } from '../timing/rounds.ts'
 import type { Care } from '../timing/rounds.ts'
-import { timed, timedScenes, trial } from '../trials.ts'
-import type { TimedScene } from '../trials.ts'
-import type * as worksModule from '../works.ts'
+import { timed, timedScenes, trial } from '../timing/trials.ts'
+import type { TimedScene } from '../timing/trials.ts'
+import type * as worksModule from '../timing/works.ts'
 
 /** What is compared: one scene and method in a process of its own, or all of them in a process that has run everything. */
 export type Kind = 'ramp' | 'half-pipe' | 'mixed' | 'simulate'

@@ -1,7 +1,8 @@
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
 import * as Plot from '@observablehq/plot'
 import { parseHTML } from 'linkedom'
-import type { Diagram } from '../schema.ts'
-import { themeStyle } from './theme.ts'
+import type { Diagram } from '../schema/index.ts'
 
 /** A diagram: what it is, and the file's content. */
 export interface Drawing {
@@ -64,4 +65,58 @@ export function metricPower(value: number): string {
   const thousands = Math.round(Math.log10(value) / 3)
   const unit = ['fm', 'pm', 'nm', 'µm', 'mm', 'm', 'km'][thousands + 5]
   return unit ? `1 ${unit}` : `${value} m`
+}
+
+/** Text and lines; the palette's places; what is not ours. */
+export const ink = 'var(--ink)'
+export const softInk = 'var(--ink-soft)'
+export const line = 'var(--line)'
+export const runner = (colour: number) => `var(--runner-${colour})`
+
+/**
+ * The page's colours, light and dark, as a style for a drawing that stands alone. `svg:root` is a drawing that is its own
+ * document: one that stands in a page takes the colours of the page.
+ */
+function themeStyle(): string {
+  const css = readFileSync(join(process.cwd(), 'src/styles/theme.css'), 'utf8')
+  const colours = (start: RegExp) =>
+    [...block(css, start).matchAll(/--(?:ink|ink-soft|line|sheet|runner-\d): [^;]+;/g)].join(' ')
+  const light = colours(/:root \{/)
+  const dark = colours(/\[data-theme='dark'\] \{/)
+  return `svg:root { ${light} background: var(--sheet); } @media (prefers-color-scheme: dark) { svg:root { ${dark} } }`
+}
+
+function block(css: string, start: RegExp): string {
+  const from = css.search(start)
+  return css.slice(from, css.indexOf('}', from))
+}
+
+/** A line of a legend: colour, and a shape for those who tell colours badly. */
+interface Key {
+  readonly label: string
+  readonly colour: string
+  readonly symbol: Plot.SymbolType
+}
+
+/** Marks to the right of a plot: one line below the other. */
+export function legend(keys: readonly Key[]): Plot.Markish[] {
+  return keys.flatMap(({ label, colour, symbol }, row) => [
+    Plot.dot([0], {
+      frameAnchor: 'top-right',
+      dx: 22,
+      dy: 8 + 20 * row,
+      symbol,
+      fill: colour,
+      r: 4.5,
+      clip: false,
+    }),
+    Plot.text([label], {
+      frameAnchor: 'top-right',
+      lineAnchor: 'middle',
+      textAnchor: 'start',
+      dx: 34,
+      dy: 8 + 20 * row,
+      fill: 'var(--ink)',
+    }),
+  ])
 }

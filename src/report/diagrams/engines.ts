@@ -1,11 +1,9 @@
 import * as Plot from '@observablehq/plot'
-import { byHand, ours, recorded } from '../engineList.ts'
-import type { Report } from '../schema.ts'
+import { byHand, ours, recorded } from '../engines/index.ts'
+import type { Report } from '../schema/index.ts'
 import { metres, nanoseconds, times } from '../text/numbers.ts'
-import { draw, metricPower, powers } from './draw.ts'
+import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
 import type { Drawing } from './draw.ts'
-import { legend } from './legend.ts'
-import { ink, line, runner, softInk } from './theme.ts'
 
 /** An error of exactly 0 is drawn here [m]. */
 const FLOOR = 1e-16

@@ -1,10 +1,8 @@
 import * as Plot from '@observablehq/plot'
-import type { Frontier, WorkCurve } from '../schema.ts'
+import type { Frontier, WorkCurve } from '../schema/index.ts'
 import { metres, nanoseconds, plain } from '../text/numbers.ts'
-import { draw, metricPower, powers } from './draw.ts'
+import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
 import type { Drawing } from './draw.ts'
-import { legend } from './legend.ts'
-import { ink, line, runner, softInk } from './theme.ts'
 
 /** Below this an error is an accident of rounding, and drawn here [m]. */
 const FLOOR = 1e-15

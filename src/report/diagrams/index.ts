@@ -1,4 +1,4 @@
-import type { Report } from '../schema.ts'
+import type { Report } from '../schema/index.ts'
 import type { Drawing } from './draw.ts'
 import { engineErrorsDiagram, engineTimesDiagram } from './engines.ts'
 import { frontierDiagram } from './frontier.ts'

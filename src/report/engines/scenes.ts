@@ -1,6 +1,6 @@
 import { exact } from '../../physics/index.ts'
 import type { FramesChoice } from '../../physics/index.ts'
-import type { EngineScene } from '../schema.ts'
+import type { EngineScene } from '../schema/index.ts'
 
 const gravity = 9.81
 

@@ -1,5 +1,5 @@
 import { frontier } from '../../measure/index.ts'
-import type { Cheapest, Frontier, WorkCurve, WorkPoint } from '../schema.ts'
+import type { Cheapest, Frontier, WorkCurve, WorkPoint } from '../schema/index.ts'
 
 type Cost = 'evaluations' | 'time'
 

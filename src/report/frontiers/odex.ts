@@ -1,6 +1,6 @@
 import { Solver } from 'odex'
 import { exactMotion } from '../../physics/index.ts'
-import type { WorkCurve, WorkPoint } from '../schema.ts'
+import type { WorkCurve, WorkPoint } from '../schema/index.ts'
 import { median, timeRounds } from '../timing/rounds.ts'
 import type { Care, Work } from '../timing/rounds.ts'
 import type { Problem } from './problems.ts'

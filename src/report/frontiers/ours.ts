@@ -9,7 +9,7 @@ import {
   presentationErrorSizes,
 } from '../../measure/index.ts'
 import type { SweepCurve } from '../../measure/index.ts'
-import type { WorkCurve } from '../schema.ts'
+import type { WorkCurve } from '../schema/index.ts'
 import { median, timeRounds } from '../timing/rounds.ts'
 import type { Care, Work } from '../timing/rounds.ts'
 import type { Problem } from './problems.ts'

@@ -1,5 +1,7 @@
 import type { IntegratorId } from '../../physics/index.ts'
-import type { TimedScene } from '../trials.ts'
+import type { TimedScene } from '../timing/trials.ts'
+import type { Work } from '../timing/rounds.ts'
+import type { Amount } from '../timing/works.ts'
 import type { Block, Given } from './block.ts'
 import { HalfPipeRk4 } from './halfPipeRk4.ts'
 import { HalfPipeVerlet } from './halfPipeVerlet.ts'
@@ -9,7 +11,6 @@ import { SpringRk4 } from './springRk4.ts'
 import { SpringVerlet } from './springVerlet.ts'
 
 export type { Block } from './block.ts'
-export { looping } from './work.ts'
 
 /** A scene and a method that have a handwritten loop. */
 export interface Handwritten {
@@ -39,3 +40,23 @@ export const handwritten: readonly Handwritten[] = [
   },
   { scene: 'spring', integrator: 'rk4', start: (given) => new SpringRk4(given) },
 ]
+
+/** Loops of so many frames of `step` seconds, `runs` of them at once. */
+export function looping(start: () => Block, { runs, steps, step }: Amount): Work {
+  const startAll = () => Array.from({ length: runs }, start)
+  let blocks = startAll()
+  return {
+    units: runs * steps,
+    prepare: () => {
+      blocks = startAll()
+    },
+    run: () => {
+      let sum = 0
+      for (const block of blocks) {
+        block.frames(steps, step)
+        sum += block.s + block.v + block.heat
+      }
+      return sum
+    },
+  }
+}

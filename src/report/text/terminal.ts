@@ -1,4 +1,4 @@
-import type { Report } from '../schema.ts'
+import type { Report } from '../schema/index.ts'
 import { plainTable } from './markdown.ts'
 import {
   cheapestWays,

@@ -1,4 +1,4 @@
-import type { Timing } from '../schema.ts'
+import type { Timing } from '../schema/index.ts'
 
 /** Something whose time is taken: `prepare` is not counted, `run` is; its result is used, so that it can't be left out. */
 export interface Work {

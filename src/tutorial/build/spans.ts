@@ -13,7 +13,7 @@ export function spans(md: MarkdownIt): void {
     const brace = /^\{([.#][\w-]+)\}/.exec(src.slice(end + 1))
     if (!brace) return false
     if (!silent) {
-      const [, name] = brace as unknown as [string, string]
+      const name = brace[1]!
       const tag = name.startsWith('#') ? 'dfn' : 'span'
       const open = state.push('span_open', tag, 1)
       open.meta = { name: name.slice(1) }

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest'
 import { hardCases } from '../../../src/measure/hardCases/index.ts'
-import { frameClocks, parseExperiment, simulate } from '../../../src/physics/index.ts'
+import { parseExperiment, simulate } from '../../../src/physics/index.ts'
+import { clockOf } from '../../../src/physics/frames/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
 import { readAddress, writeAddress } from '../../../src/lab/state/address.ts'
 import { experimentOf } from '../../../src/lab/state/check.ts'
@@ -75,9 +76,7 @@ describe('the hard cases', () => {
 test('none is longer than a page can bear', () => {
   for (const { label, shown } of runnable) {
     const { duration, runners } = shown.state
-    const frames = runners.map(({ frames }) =>
-      frameClocks.find(({ id }) => id === frames.kind)!.frames(frames as never, duration),
-    )
+    const frames = runners.map(({ frames }) => clockOf(frames).frames(duration))
     expect(
       frames.reduce((a, b) => a + b),
       label,

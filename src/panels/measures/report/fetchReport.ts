@@ -1,4 +1,4 @@
-import type { Report } from '../../../report/schema.ts'
+import type { Report } from '../../../report/schema/index.ts'
 import { site } from '../../../lab/site.ts'
 
 /**
