@@ -4,7 +4,7 @@ import type { LitElement } from 'lit'
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import type { Manifest } from '../elements/manifest.ts'
-import { buildElements, openAt, serve } from './hosts.ts'
+import { buildElements, labMark, openAt, serve } from './hosts.ts'
 
 /* The manifest against the elements themselves: what it says is there, and there is nothing that it does not say. */
 
@@ -25,7 +25,11 @@ async function openHost(body: string) {
   const html = `<!doctype html><html lang="en"><title>Blog</title>
     <script type="module" src="slide-lab.js"></script>${body}</html>`
   const address = await serve((path) =>
-    path === 'slide-lab.js' ? { body: module, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path === 'slide-lab.js'
+        ? { body: module, type: 'text/javascript' }
+        : { body: html },
   )
   const opened = await openAt(address)
   await opened.page.waitForFunction(() => customElements.get('slide-figure') !== undefined)

@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import { beforeAll, describe, expect, test } from 'vitest'
 import type { SlideFigureElement } from '../../src/elements.ts'
-import { buildElements, openAt, serve } from './hosts.ts'
+import { buildElements, labMark, openAt, serve } from './hosts.ts'
 
 /* The elements in pages of plain HTML: whatever those do, both go on as they were. */
 
@@ -19,7 +19,11 @@ async function openHost(body: string, { head = '', root = '', ...options }: Opti
   const html = `<!doctype html><html lang="de" ${root}><head><meta charset="utf-8"><title>Blog</title>${head}</head>
     <body>${body}<script type="module" src="slide-lab.js"></script></body></html>`
   const address = await serve((path) =>
-    path.endsWith('.js') ? { body: module, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path.endsWith('.js')
+        ? { body: module, type: 'text/javascript' }
+        : { body: html },
   )
   return openAt(address, [], options)
 }
