@@ -74,7 +74,9 @@ test('its data can be taken from it, by hand where a frame may save no files', a
   const text = await frame.getByRole('textbox', { name: 'Text to copy' }).inputValue()
   expect(text.split('\n')[0]).toContain('time (s)')
   expect(text.split('\n').length).toBeGreaterThan(100)
-  expect(await frame.getByRole('status').innerText()).toMatch(/if this frame may save files/)
+  expect(await frame.locator('slide-share-menu [role=status]').innerText()).toMatch(
+    /if this frame may save files/,
+  )
 })
 
 test.each([

@@ -69,7 +69,14 @@ test.each(tags)('attributes, properties and methods of %s', async (tag) => {
   expect(sorted(found.attributes)).toEqual(names(attributes))
   // What Lit calls, and what is the element's own affair.
   const inner = [
-    ...['constructor', 'connectedCallback', 'createRenderRoot', 'shouldUpdate', 'willUpdate'],
+    ...[
+      'constructor',
+      'connectedCallback',
+      'disconnectedCallback',
+      'createRenderRoot',
+      'shouldUpdate',
+      'willUpdate',
+    ],
     ...['update', 'updated', 'render', 'comeAlive', ...found.hidden],
   ]
   // What it has from its base, which has more that is nobody's business.

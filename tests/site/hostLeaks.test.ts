@@ -1,5 +1,5 @@
 import { beforeAll, expect, test, vi } from 'vitest'
-import { buildElements, openAt, serve } from './hosts.ts'
+import { buildElements, labMark, openAt, serve } from './hosts.ts'
 
 /* Elements that a page adds and removes, over and over. */
 
@@ -89,7 +89,11 @@ test('hundreds that have come, played and gone leave no more behind than the fir
   const html = `<!doctype html><html lang="en"><title>Blog</title><script>${counting}</script>
     <div id="here"></div><script type="module" src="slide-lab.js"></script></html>`
   const address = await serve((path) =>
-    path === 'slide-lab.js' ? { body: module, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path === 'slide-lab.js'
+        ? { body: module, type: 'text/javascript' }
+        : { body: html },
   )
   const { page, problems } = await openAt(address)
   const session = await page.context().newCDPSession(page)
