@@ -1,12 +1,9 @@
-import { beforeAll, expect, test } from 'vitest'
-import { buildElements, labMark, openAt, serve } from './hosts.ts'
+import { expect, test } from 'vitest'
+import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
 /* A page that turns slides by keys, as decks and manuals do: it hears those that no control in the element uses. */
 
-let module: string
-beforeAll(() => {
-  ;({ module } = buildElements())
-}, 180_000)
+const { module } = builtElements()
 
 async function openDeck() {
   const address = await serve((path) =>

@@ -1,13 +1,13 @@
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
-import { buildElements, bundlePackaged, openAt, serve } from './hosts.ts'
+import { builtElements, bundlePackaged, openAt, serve } from './hosts.ts'
 
 /* The packed npm package in a page that Vite bundles, beside the built file: they look alike. */
 
 let modules: Record<'file' | 'package', string>
 beforeAll(() => {
   modules = {
-    file: buildElements().module,
+    file: builtElements().module,
     package: bundlePackaged("import 'any-frame-rate/elements'\n"),
   }
 }, 240_000)

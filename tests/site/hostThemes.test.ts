@@ -1,13 +1,10 @@
 import type { Page } from 'playwright-core'
-import { beforeAll, describe, expect, test } from 'vitest'
-import { buildElements, openAt, serve, serveSite } from './hosts.ts'
+import { describe, expect, test } from 'vitest'
+import { builtElements, openAt, serve, serveSite } from './hosts.ts'
 
 /* Pages whose readers switch the theme, each in the way of one generator of pages: element and frame follow. */
 
-let module: string
-beforeAll(() => {
-  ;({ module } = buildElements())
-}, 180_000)
+const { module } = builtElements()
 
 /** How a theme is dark, and how its button makes it so. */
 const themes = {

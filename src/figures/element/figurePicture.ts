@@ -4,7 +4,7 @@ import { forgetWidths } from '../../chart/text.ts'
 import { drawDisc } from '../../view/handles.ts'
 import { PaletteReader } from '../../view/palette.ts'
 import { pointIn, valueByKey } from '../../ui/input.ts'
-import { onThemeChange } from '../../ui/theme.ts'
+import { onRestyle } from '../../ui/theme.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import type { Controls, NumberControl, Values } from '../shared/control.ts'
 import type { Grip, Panel, View } from '../shared/figure.ts'
@@ -66,14 +66,12 @@ class FigurePicture extends LitElement {
     })
     sizes.observe(this)
     addEventListener('resize', redraw)
-    const stopThemes = onThemeChange(redraw)
-    document.fonts.addEventListener('loadingdone', redraw)
+    const stopStyles = onRestyle(redraw)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       sizes.disconnect()
       removeEventListener('resize', redraw)
-      stopThemes()
-      document.fonts.removeEventListener('loadingdone', redraw)
+      stopStyles()
       stopTime()
     }
   }
