@@ -1,7 +1,7 @@
 import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { isPublic, site } from '../../lab/site.ts'
+import { isPublic, onSiteChange, site } from '../../lab/site.ts'
 import { linkTo } from '../../lab/state/address.ts'
 import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
 
@@ -24,6 +24,7 @@ class ShareMenu extends LitElement {
   declare private status: string
   /** What the reader has to copy, since the browser would not. */
   declare private byHand: string
+  private stopAskingSite = () => {}
   private readonly panelId = freshId('share')
 
   constructor() {
@@ -48,8 +49,14 @@ class ShareMenu extends LitElement {
     return this
   }
 
+  override connectedCallback(): void {
+    super.connectedCallback()
+    this.stopAskingSite = onSiteChange(() => this.requestUpdate())
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback()
+    this.stopAskingSite()
     document.removeEventListener('pointerdown', this.elsewhere)
   }
 
