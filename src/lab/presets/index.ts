@@ -39,6 +39,11 @@ const kicks: readonly Preset[] = [
     'located',
     'Three blocks in one outline: type any frame rate, and nothing moves.',
   ),
+  kick(
+    'To a tolerance',
+    'to-tolerance',
+    'On a straight nothing is gained over located stops; go to the half-pipe or the spring, and the blocks stay together there too.',
+  ),
 ]
 
 /** Every preset, in the order of the menu. */
