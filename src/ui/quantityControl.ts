@@ -106,6 +106,7 @@ class QuantityControl extends LitElement {
   private get shown(): string {
     const { draft, typing, value, quantity } = this
     if (draft !== undefined) return draft
+    if (quantity.slider.scale) return value.toExponential()
     if (typing) return writeNumber(value)
     return value === quantity.max && quantity.atMax ? quantity.atMax : shownNumber(value)
   }

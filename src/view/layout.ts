@@ -9,7 +9,7 @@ import { worldPoint } from './projection.ts'
 import { viewOf } from './scenes.ts'
 import { sizesOf } from './sizes.ts'
 import type { Sizes } from './sizes.ts'
-import { slopeRoom, subjectsOf } from './subjects.ts'
+import { highestFoot, slopeRoom, subjectsOf } from './subjects.ts'
 
 /** How a picture is laid out on a canvas: all sizes in CSS pixels, all places along the track in metres. */
 export interface Layout extends Sizes {
@@ -34,7 +34,7 @@ export function layOut(picture: Picture, width: number, height: number): Layout 
   const camera = viewOf(picture.scene).falls ? { ...fitted, x: Math.round(0.36 * width) } : fitted
   const room = slopeRoom(picture, sizes.block)
   const ends = {
-    from: extent.from - room.top / camera.scale,
+    from: highestFoot(picture, extent) - room.top / camera.scale,
     to: extent.to + room.foot / camera.scale,
   }
   const still = worldPoint(
@@ -62,9 +62,10 @@ export function heldCamera(layout: Layout, picture: Picture, parameters: Paramet
   return { scale, x: layout.pin.x - scale * still.x, y: layout.pin.y + scale * still.y }
 }
 
-/** The point of the track about which a slope is tilted [m]: its foot. */
+/** The point of the track about which a slope is tilted [m]: its foot, or the top of a hill. */
 function stillAt({ scene }: Picture, parameters: Parameters, ends: Extent): number {
-  const bend = viewOf(scene).bend?.(parameters)
-  if (bend?.joined) return bend.to
+  const { bend: bendOf, climbs } = viewOf(scene)
+  const bend = bendOf?.(parameters)
+  if (bend?.joined) return climbs ? (bend.from + bend.to) / 2 : bend.to
   return 'angle' in parameters ? ends.to : 0
 }

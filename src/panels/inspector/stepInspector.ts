@@ -178,7 +178,7 @@ class StepInspector extends LitElement {
     go: (to: number) => void,
     { integrator }: ResolvedExperiment,
   ) {
-    const index = tries.findLastIndex(({ first }) => first <= at)
+    const index = tries.filter(({ first }) => first <= at).length - 1
     const shown = tries[index]!
     const { order, orderWithSpeed }: Integrator = integrators.find(({ id }) => id === integrator)!
     const said = tryWords(shown, tries[index + 1], Math.min(order, orderWithSpeed))

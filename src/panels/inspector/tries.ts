@@ -51,9 +51,10 @@ export function tryWords(
       said.push(
         say`Something happens in the step of Δt = ${steps[0]!.dt} s: it is tried up to there, Δt = ${tried.dt} s.`,
       )
+    const apart = say`${Math.abs(halves.to.s - tried.to.s)} m and ${Math.abs(halves.to.v - tried.to.v)} m/s`
     said.push(
-      say`Whole, it ends at s = ${tried.to.s} m with v = ${tried.to.v} m/s; in two halves at s = ${halves.to.s} m with v = ${halves.to.v} m/s.`,
-      say`From how far these are apart, the halves are off by about ${error} m: the difference by 2${superscript(order)} − 1 = ${2 ** order - 1}. Allowed in so long a step are ${allowed} m.`,
+      say`Whole, it ends at s = ${tried.to.s} m with v = ${tried.to.v} m/s; in two halves, ${apart} from that.`,
+      say`The two together, the speed by its way in a second, over 2${superscript(order)} − 1 = ${2 ** order - 1}: the halves are off by about ${error} m. In so long a step ${allowed} m are allowed.`,
     )
   }
   const then = next ? say`The next is Δt = ${next.steps[0]!.dt} s long.` : say``
