@@ -34,3 +34,10 @@ export function valueByKey(
   if (steps === undefined) return undefined
   return stepped(slider, value, shiftKey ? 10 * steps : steps)
 }
+
+let count = 0
+
+/** An id that no other element of the page has: several labs can stand on one page. */
+export function freshId(prefix: string): string {
+  return `${prefix}-${++count}`
+}
