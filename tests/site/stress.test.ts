@@ -108,7 +108,7 @@ test('eight runners of the longest run there is are shown and can be searched', 
   expect(frames).toEqual(Array.from({ length: 8 }, () => 1_000_000))
   await page.getByRole('slider', { name: 'Time' }).press('Home')
   expect(await now()).toBe(0)
-  await page.getByRole('button', { name: 'One frame on' }).click()
+  await page.getByRole('button', { name: 'One frame forward' }).click()
   expect(await now()).toBe(1)
   await page.getByRole('slider', { name: 'Time' }).press('End')
   expect(await now()).toBe(1_000_000)
