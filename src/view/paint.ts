@@ -36,7 +36,8 @@ export function paint(
   const selected = picture.selected === undefined ? undefined : actors[picture.selected]
   const { falls, spring, speed } = viewOf(scene)
   if (speed) drawBeltMarks(context, picture, layout, projection, palette)
-  if (spring) drawSpring(context, (selected ?? actors[0]!).body, picture, layout, projection, palette)
+  if (spring)
+    drawSpring(context, (selected ?? actors[0]!).body, picture, layout, projection, palette)
   for (const actor of actors) drawRunner(context, actor, palette)
   // What has arrows stands in front of the others.
   if (selected && picture.forces) drawRunner(context, selected, palette)

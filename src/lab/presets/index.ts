@@ -5,6 +5,7 @@ import { figurePresets } from './figures.ts'
 import { hardPresets } from './hardCases.ts'
 import { preset } from './preset.ts'
 import type { Preset } from './preset.ts'
+import { situationPresets } from './situations.ts'
 
 const kick = (label: string, mode: ModeId, watch: string): Preset =>
   preset('A kick up a ramp', label, watch, () =>
@@ -47,4 +48,9 @@ const kicks: readonly Preset[] = [
 ]
 
 /** Every preset, in the order of the menu. */
-export const presets: readonly Preset[] = [...kicks, ...figurePresets, ...hardPresets]
+export const presets: readonly Preset[] = [
+  ...kicks,
+  ...situationPresets,
+  ...figurePresets,
+  ...hardPresets,
+]

@@ -11,6 +11,7 @@ const openings: { readonly [id in SceneId]?: { duration: number; parameters: Par
   spring: { duration: 4, parameters: { position: 1.5 } },
   // Just fast enough to take off where the top begins, at most frame rates.
   crest: { duration: 1.5, parameters: { speed: 6.9 } },
+  belt: { duration: 5, parameters: { stiffness: 20, muStatic: 0.6, muKinetic: 0.2 } },
 }
 
 const runners: readonly RunnerState[] = [10, 30, 120].map((fps, paletteIndex) => ({

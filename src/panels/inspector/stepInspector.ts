@@ -1,11 +1,6 @@
 import { html, LitElement, nothing } from 'lit'
 import { integrators, traceFrame } from '../../physics/index.ts'
-import type {
-  Experiment,
-  Integrator,
-  PolicyStep,
-  ResolvedExperiment,
-} from '../../physics/index.ts'
+import type { Experiment, Integrator, PolicyStep, ResolvedExperiment } from '../../physics/index.ts'
 import { endOf, rowAt } from '../../view/timeline.ts'
 import { icon } from '../../ui/icons.ts'
 import type { IconName } from '../../ui/icons.ts'
@@ -113,7 +108,7 @@ class StepInspector extends LitElement {
       ${
         end && end.row !== row
           ? html`<button type="button" class="there" @click=${() => seek(end.row)}>
-              ${{ 'at-rest': 'Where it stopped', 'left-the-track': 'Where it left', diverged: 'Where it blew up' }[end.kind]}
+              ${{ 'at-rest': 'Where it stopped', 'left-the-track': 'Where it left', diverged: runner.trajectory.abandoned ? 'Where it gave up' : 'Where it blew up' }[end.kind]}
             </button>`
           : nothing
       }

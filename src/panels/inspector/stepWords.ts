@@ -88,7 +88,9 @@ interface Accumulator {
 export function wordsBefore(step: PolicyStep, experiment: ResolvedExperiment): Said[] {
   const [standing] = step.standings
   if (standing?.begins !== 0) return []
-  return [say`The block is at rest: ${decision(step, standing, experiment)}`]
+  const { beltSpeed = 0 } = experiment.parameters
+  const how = beltSpeed === 0 ? 'is at rest' : 'has the belt’s speed'
+  return [say`The block ${how}: ${decision(step, standing, experiment)}`]
 }
 
 /** What the stopping rule did at the end of a stretch, a sentence each. */
@@ -147,11 +149,13 @@ export function wordsAfter(
 
 /** Static friction holds up to μs times the normal force. */
 function decision(step: PolicyStep, standing: Standing, { parameters }: ResolvedExperiment): Said {
-  const { muStatic = 0 } = parameters
+  const { muStatic = 0, beltSpeed = 0 } = parameters
   const drive = Math.abs(standing.drive)
   const most = muStatic * standing.press
   const isLast = standing === step.standings[step.standings.length - 1]
-  return isLast && step.outcome === 'at-rest'
-    ? say`it stays, because |drive| ${drive} ≤ μs press ${most} m/s².`
-    : say`it sets off, because |drive| ${drive} > μs press ${most} m/s².`
+  // On a belt a block that is held goes on, until the spring is stronger.
+  const isHeld = beltSpeed === 0 ? isLast && step.outcome === 'at-rest' : drive <= most
+  if (!isHeld) return say`it sets off, because |drive| ${drive} > μs press ${most} m/s².`
+  const does = beltSpeed === 0 ? 'stays' : 'rides along'
+  return say`it ${does}, because |drive| ${drive} ≤ μs press ${most} m/s².`
 }

@@ -63,7 +63,8 @@ export function drawLane(
   const stepTop = Math.round(top + tick + 2 * ratio)
   const bottom = stepTop + lane.steps
   const ticks = (times: Iterable<number>, y: number) => {
-    for (const x of once(times, place)) if (x >= 0 && x <= width) pen.fillRect(x, y, pixel, stepTick)
+    for (const x of once(times, place))
+      if (x >= 0 && x <= width) pen.fillRect(x, y, pixel, stepTick)
   }
   if (step === undefined ? !tries : step * scale < 2 * pixel) {
     const end = place(trajectory.stateTime[last]! + lost[last]!)

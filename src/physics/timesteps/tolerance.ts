@@ -24,8 +24,10 @@ const ROUNDING = 16 * Number.EPSILON
 // A step that ends at an event ends there but for its error, so that the next may begin with the same event. So early in
 // a step, in parts of it, an event hides less than a billionth of the error.
 const EARLY = 1e-3
-// Far more than any smooth motion asks for: the rule does not come to an end there.
-const MOST_TRIES_A_FRAME = 1e6
+// Far more in a frame than any smooth motion asks for: the rule does not come to an end there. And as many in a run as take some
+// seconds.
+const MOST_TRIES_A_FRAME = 2e5
+const MOST_TRIES = 2.5e6
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
@@ -39,13 +41,13 @@ export const toTolerance = {
   start: ({ tolerance }: Values<typeof options>) => {
     // The step that the last one recommends, and whether that one ended at an event. An object, since engines box a
     // number that a closure keeps changing.
-    const next = { step: Infinity, afterEvent: false }
+    const next = { step: Infinity, afterEvent: false, triesLeft: MOST_TRIES }
     return (frame) => {
       // #region advance
       const { motion, time, frameDuration } = frame
       let left = frameDuration
       for (let tries = 0; left > 0 && motion.moving; tries++) {
-        if (tries === MOST_TRIES_A_FRAME) return frame.abandon()
+        if (tries === MOST_TRIES_A_FRAME || --next.triesLeft === 0) return frame.abandon()
         let step = left / Math.max(1, Math.ceil(left / next.step))
         frame.stateTime = time - left
         const atEvent = tryStep(frame, step, next.afterEvent ? EARLY : 0)
