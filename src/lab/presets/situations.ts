@@ -51,7 +51,7 @@ const groups: Readonly<Record<string, readonly (readonly [string, string, string
     [
       'A tolerance that can’t be met',
       'Under the naive rule the force at rest jumps at every step, however short. No step is short enough, and the run says so and ends.',
-      'duration=1&runners=30/tolerance(tolerance:1e-6)/semi-implicit-euler/naive;30/tolerance(tolerance:1e-6)',
+      'duration=1&runners=30/tolerance(tolerance:1e-6)/rk4/naive;30/tolerance(tolerance:1e-6)/rk4',
     ],
   ],
 }
