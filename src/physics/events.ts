@@ -144,15 +144,9 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   // A block that has just set off is at v = 0 to begin with: the turn is the one after that.
   for (let i = 0; before <= 0; i++) {
     if (i === MOST_HALVINGS) return false
-    retake(motion, integrator, 0.5 * late)
-    const here = residual(event, motion)
-    if (here > 0) {
-      early = motion.dt
-      before = here
-    } else {
-      late = motion.dt
-      after = here
-    }
+    early = 0.5 * (i === 0 ? late : early)
+    retake(motion, integrator, early)
+    before = residual(event, motion)
   }
   let lastSide = 0
   for (let i = 1; i <= MOST_ITERATIONS; i++) {
