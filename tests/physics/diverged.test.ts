@@ -9,8 +9,8 @@ import { naive } from '../../src/physics/stopping/naive.ts'
 import { arcAfter, straight } from '../../src/physics/track.ts'
 
 /** A step from s = 1 m at 2 m/s by a method that ends at a distance and a speed. */
-function stepTo(s: number, v: number): Motion {
-  const motion = new Motion(lawOf([straight(0)], {}), 1, 2, true)
+function stepTo(s: number, v: number, end = Infinity): Motion {
+  const motion = new Motion(lawOf([straight(0, end)], {}), 1, 2, true)
   motion.dt = 0.1
   const method = {
     ...rk4,
@@ -29,12 +29,19 @@ describe('a step', () => {
   })
 
   it.each([
+    [1e24, 1],
     [2e24, 1],
     [-2e24, 1],
     [1, 2e15],
     [1, -2e15],
   ])('that ends at %f m and %f m/s has diverged there', (s, v) => {
     expect(stepTo(s, v)).toMatchObject({ s, v, moving: false, outcome: 'diverged' })
+  })
+
+  it('that ends beyond the track has left it, unless it has diverged', () => {
+    expect(stepTo(2, 1e15, 1.5)).toMatchObject({ s: 2, outcome: 'left-the-track' })
+    expect(stepTo(2, 2e15, 1.5)).toMatchObject({ s: 2, outcome: 'diverged' })
+    expect(stepTo(2e24, 1, 1.5)).toMatchObject({ s: 2e24, outcome: 'diverged' })
   })
 
   it.each([
