@@ -1,9 +1,13 @@
+import { crestAndBelt, crestAndBeltClaims } from './crestAndBelt.ts'
+import { edges, edgesClaims } from './edges.ts'
 import { extremes, extremesClaims } from './extremes.ts'
 import { frames, framesClaims } from './frames.ts'
 import { friction, frictionClaims } from './friction.ts'
 import type { HardCase, Claims } from './hardCase.ts'
 import { jumps, jumpsClaims } from './jumps.ts'
+import { limits, limitsClaims } from './limits.ts'
 import { oscillations, oscillationsClaims } from './oscillations.ts'
+import { tolerances, tolerancesClaims } from './tolerances.ts'
 
 /** Every hard case, in the order of their groups. */
 export const hardCases: readonly HardCase[] = [
@@ -12,6 +16,10 @@ export const hardCases: readonly HardCase[] = [
   ...oscillations,
   ...extremes,
   ...jumps,
+  ...edges,
+  ...limits,
+  ...crestAndBelt,
+  ...tolerances,
 ].sort((one, other) => one.group - other.group)
 
 export type { HardCase } from './hardCase.ts'
@@ -26,4 +34,8 @@ export const hardCaseClaims: Readonly<Record<string, Claims>> = {
   ...oscillationsClaims,
   ...extremesClaims,
   ...jumpsClaims,
+  ...edgesClaims,
+  ...limitsClaims,
+  ...crestAndBeltClaims,
+  ...tolerancesClaims,
 }

@@ -1,15 +1,20 @@
 import { html } from 'lit'
+import { roughSize } from '../../chart/magnitudes.ts'
 import { plain, raw } from '../../chart/numbers.ts'
 import { errorText } from './diagramWords.ts'
 import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 
-/** The diagram in numbers: a row for each rate and each runner of the lab, the error and the cost of each method. */
+/** The diagram in numbers: a row for each rate, tolerance and runner of the lab, the error and the cost of each method. */
 export function diagramTable(
   curves: readonly DiagramCurve[],
   runners: readonly DiagramPoint[],
   kind: CostKind,
 ) {
-  const rates = curves[0]?.points.map(({ rate }) => rate) ?? []
+  const byRate = curves.filter(({ by }) => by === 'rate')
+  const byTolerance = curves.filter(({ by }) => by === 'tolerance')
+  const rates = byRate[0]?.points.map(({ setting }) => setting) ?? []
+  const all = byTolerance.flatMap(({ points }) => points.map(({ setting }) => setting))
+  const tolerances = [...new Set(all)].sort((a, b) => b - a)
   return html`<div
     class="scroll"
     tabindex="0"
@@ -24,7 +29,7 @@ export function diagramTable(
       <thead>
         <tr>
           <th scope="col">steps a second</th>
-          ${curves.map(({ label, order }) => html`<th scope="col">${label}<small>${order}</small></th>`)}
+          ${byRate.map(({ label, order }) => html`<th scope="col">${label}<small>${order}</small></th>`)}
         </tr>
       </thead>
       <tbody>
@@ -32,19 +37,38 @@ export function diagramTable(
           (rate, row) =>
             html`<tr>
               <th scope="row">${plain(rate)}</th>
-              ${curves.map(({ points }) => cell(points[row]!, kind))}
+              ${byRate.map(({ points }) => cell(points[row]!, kind))}
+            </tr>`,
+        )}
+        ${tolerances.map(
+          (tolerance) =>
+            html`<tr>
+              <th scope="row">to ${roughSize(tolerance)}<small>a second</small></th>
+              ${byRate.map(({ method }) => cellAt(byTolerance, method, tolerance, kind))}
             </tr>`,
         )}
         ${runners.map(
           (point) =>
             html`<tr>
               <th scope="row">${point.runner!.name}<small>in the lab</small></th>
-              ${curves.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
+              ${byRate.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
             </tr>`,
         )}
       </tbody>
     </table>
   </div>`
+}
+
+/** Nothing where a method is not asked for so small a tolerance. */
+function cellAt(
+  curves: readonly DiagramCurve[],
+  method: string,
+  tolerance: number,
+  kind: CostKind,
+) {
+  const points = curves.find((curve) => curve.method === method)?.points
+  const point = points?.find(({ setting }) => setting === tolerance)
+  return point ? cell(point, kind) : html`<td></td>`
 }
 
 function cell(point: DiagramPoint, kind: CostKind) {

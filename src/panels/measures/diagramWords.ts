@@ -35,12 +35,13 @@ export function leastError(curves: readonly DiagramCurve[]): number {
   return Math.min(...errors.map(({ error }) => error))
 }
 
-/** Whose run a point is: “Velocity Verlet at 30 steps a second”, “30 fps in the lab”. */
-export function pointName({ method, rate, runner }: DiagramPoint): string {
+/** Whose run a point is: “Velocity Verlet at 30 steps a second”, “Runge–Kutta 8 to 1 nm a second”, “30 fps in the lab”. */
+export function pointName({ method, by, setting, runner }: DiagramPoint): string {
   const { label } = integrators.find(({ id }) => id === method)!
-  return runner
-    ? `${runner.name} in the lab, ${label}`
-    : `${label} at ${plain(rate)} steps a second`
+  if (runner) return `${runner.name} in the lab, ${label}`
+  return by === 'rate'
+    ? `${label} at ${plain(setting)} steps a second`
+    : `${label} to ${roughSize(setting)} a second`
 }
 
 /** A point's error, or why it has none, in very few words. */

@@ -1,7 +1,7 @@
 import { html, LitElement, nothing } from 'lit'
 import { integrators, stoppings } from '../../physics/index.ts'
 import type { Experiment, StoppingId } from '../../physics/index.ts'
-import { sweptExperiment } from '../../measure/index.ts'
+import { sweptExperiment, tolerantExperiment } from '../../measure/index.ts'
 import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
 import { raw } from '../../chart/numbers.ts'
 import { menu } from '../../ui/menu.ts'
@@ -146,7 +146,11 @@ class SpeedDiagram extends LitElement {
   show(point: DiagramPoint): void {
     if (point.runner) return
     this.load({
-      experiment: sweptExperiment(this.request, point.method, point.rate),
+      experiment: (point.by === 'rate' ? sweptExperiment : tolerantExperiment)(
+        this.request,
+        point.method,
+        point.setting,
+      ),
       label: pointName(point),
       words: `It is ${this.words(point)}.`,
     })
@@ -164,9 +168,12 @@ export function curveKey(curves: readonly DiagramCurve[]) {
       ({ id, label, colour }) =>
         html`<li>
           <runner-mark .paletteIndex=${colour}></runner-mark> ${label}
-          <span class="soft">${curves.find(({ method }) => method === id)?.order}</span>
+          <span class="soft"
+            >${curves.find(({ method, by }) => method === id && by === 'rate')?.order}</span
+          >
         </li>`,
     )}
+    <li class="soft">Dashed: to tolerance, with its tries</li>
   </ul>`
 }
 

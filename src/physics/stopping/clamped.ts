@@ -10,10 +10,10 @@ export const clamped = {
   holdsSlip: true,
   step: (motion, integrator) => {
     // #region step
-    const { slip, startS } = motion
+    const { slip, startS, law } = motion
     integrator.step(motion)
-    const reversed = slip > 0 ? motion.v < 0 : motion.v > 0
-    if (reversed && motion.law.muStatic > 0) {
+    const reversed = slip > 0 ? motion.v < law.belt : motion.v > law.belt
+    if (reversed && law.muStatic > 0) {
       motion.stop()
       // Friction brings a block to a stop; it does not push it back beyond where the step began.
       motion.s = slip > 0 ? Math.max(motion.s, startS) : Math.min(motion.s, startS)
