@@ -9,7 +9,7 @@ import { flatTemplates } from './vite.templates.ts'
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [flatTemplates(), withoutWorker(), withOwnNames()],
+  plugins: [flatTemplates(), withoutWorker()],
   build: {
     target: 'es2022',
     emptyOutDir: false,
@@ -35,25 +35,6 @@ export function withoutWorker(): Plugin {
         const none = "(() => { throw new Error('There is no worker.') })()"
         return { code: code.replace(worker, `(${none} as Worker)`), map: null }
       },
-    },
-  }
-}
-
-/**
- * The elements that a lab is made of are defined for the whole page that it stands in, which may have a `share-menu` of
- * its own: here their names begin with `slide-`.
- */
-export function withOwnNames(): Plugin {
-  return {
-    name: 'with-own-names',
-    generateBundle(_, bundle) {
-      const chunks = Object.values(bundle).filter((each) => each.type === 'chunk')
-      const defined = chunks.flatMap(({ code }) => [
-        ...code.matchAll(/customElements\.define\(["'`]([\w-]+)/g),
-      ])
-      const names = defined.map(([, name]) => name!).filter((name) => !name.startsWith('slide-'))
-      const name = new RegExp(`(?<![\\w.#-])(?=(${names.join('|')})(?![\\w-]))`, 'g')
-      for (const chunk of chunks) chunk.code = chunk.code.replace(name, 'slide-')
     },
   }
 }

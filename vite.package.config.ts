@@ -1,11 +1,11 @@
 import { defineConfig } from 'vite'
-import { withOwnNames, withoutWorker } from './vite.elements.config.ts'
+import { withoutWorker } from './vite.elements.config.ts'
 
 /** The modules of the npm package: the physics, which needs nothing, and the elements, which need Lit. */
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [withoutWorker(), withOwnNames()],
+  plugins: [withoutWorker()],
   build: {
     target: 'es2022',
     outDir: 'package',

@@ -28,11 +28,11 @@ const byValue: PropertyDeclaration = {
  * @tag slide-lab
  * @attr {JSON} experiment - An experiment as `simulate` takes it, or a list of up to eight that share scene, parameters
  * and duration.
- * @attr {string} scene - `fall`, `ramp`, `run-out`, `half-pipe` or `spring`.
+ * @attr {string} scene - The id of a scene, as `run-out`.
  * @attr {string} fps - A frame rate for each block, as `10 30 120`.
  * @attr {string} integrator - The method of all blocks, as `velocity-verlet`.
- * @attr {string} stopping - `naive`, `clamped` or `located`.
- * @attr {string} timestep - `per-frame`, `variable`, `capped`, `substeps` or `fixed`; or as JSON, with its options.
+ * @attr {string} stopping - The id of a stopping rule, as `located`.
+ * @attr {string} timestep - The id of a timestep policy, as `fixed`; or JSON, with its options.
  * @attr {number} duration - How long each run lasts [s].
  * @attr {boolean} compact - Only the buttons, the picture and the transport, with a link to the whole lab.
  * @attr {string} theme - `light` or `dark`, in the place of the page's own `color-scheme`.

@@ -5,7 +5,7 @@ import { count, metres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 10
 const RATES = [10, 20, 40, 80, 160, 320] as const
@@ -35,7 +35,7 @@ export const speedAgainstError = figure({
       })),
     ),
   hosted: {
-    tag: 'speed-diagram',
+    tag: 'slide-speed-diagram',
     define: () => import('../panels/measures/speedDiagram.ts'),
     room: { wide: 16, narrow: 54 },
     properties: { experiment: { scene: 'half-pipe', duration: DURATION } satisfies Experiment },

@@ -11,7 +11,7 @@ export class EarlyPress {
 
   private readonly note = (event: Event): void => {
     const target = event.composedPath()[0] as Element
-    const part = target.closest<HTMLElement>('share-menu:not(:defined), select[data-empty]')
+    const part = target.closest<HTMLElement>('slide-share-menu:not(:defined), select[data-empty]')
     if (!part) return
     this.pressed = part
     // A menu without entries is not opened.

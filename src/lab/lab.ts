@@ -2,18 +2,17 @@ import { html, LitElement, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
-import { freshId } from '../ui/freshId.ts'
+import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
 import { EarlyPress } from './earlyPress.ts'
 import type { LabView, OpenPanels, Panels } from './labView.ts'
-import { modeButtons } from './modeButtons.ts'
+import { modeButtons, sceneTabs } from './choices.ts'
 import { linkProblems, presetNote } from './notices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
 import { Playback } from './playback/playback.ts'
-import { shortcut } from './playback/shortcuts.ts'
+import { shortcut, transport } from './transport.ts'
 import type { Preset } from './presets/preset.ts'
-import { sceneTabs } from './sceneTabs.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
 import type { Change } from './state/change.ts'
@@ -23,7 +22,6 @@ import { Simulation } from './state/simulation.ts'
 import type { Simulated } from './state/simulation.ts'
 import type { LabState } from './state/state.ts'
 import { tools } from './tools.ts'
-import { transport } from './transport.ts'
 import { describe } from './words.ts'
 
 /** So long after the last change or frame, and so not while it plays, the picture is told in words [ms]. */
@@ -243,6 +241,7 @@ export abstract class Lab extends LitElement implements LabView {
           .playback=${playback}
           .picture=${(time: number) => ({ ...still, time, forces: panels?.forces?.() })}
           .description=${this.spoken}
+          .forceDrawing=${panels?.forceDrawing}
           .change=${(values: Readonly<Record<string, number>>) =>
             this.change({ kind: 'parameters', values })}
         ></slide-stage>

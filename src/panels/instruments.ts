@@ -1,4 +1,5 @@
 import { html } from 'lit'
+import { forceDrawing } from '../view/forces.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
@@ -20,18 +21,23 @@ export const instruments: OpenPanels = (lab) => {
     glide: new Glide(lab),
     presets,
     forces: () => forces.vectors(),
+    forceDrawing,
     below() {
       const { simulated, playback, selected } = lab
       return html`${forces.panel()} ${parametersPanel(lab)} ${runnersTable(lab)}
-        <lab-plots
+        <slide-lab-plots
           part="plots"
           .simulated=${simulated}
           .time=${atNow(playback, (time) => time)}
           .playback=${playback}
           .selected=${selected}
           .seek=${(time: number) => playback.seek(time)}
-        ></lab-plots>
-        <lab-measures .simulated=${simulated} .selected=${selected} .lab=${lab}></lab-measures>
+        ></slide-lab-plots>
+        <slide-lab-measures
+          .simulated=${simulated}
+          .selected=${selected}
+          .lab=${lab}
+        ></slide-lab-measures>
         ${stepInspector(lab)}`
     },
   }

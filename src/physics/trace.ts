@@ -34,11 +34,14 @@ export interface Stretch {
   /** When it begins, in the step that the policy asked for [s]. */
   begins: number
   tries: TriedStep[]
-  /** What ended it, if not the step's end: a stop, a joint, or that the law changes too much for a longer step. */
-  ends?: 'stop' | 'joint' | 'cut'
+  /**
+   * What ended it, if not the step's end: a stop, a joint, a take-off, that the law changes too much for a longer step, or
+   * that a trial could not be trusted and was halved.
+   */
+  ends?: 'stop' | 'joint' | 'take-off' | 'cut' | 'halved'
 }
 
-/** An evaluation for a block with v = 0, whether static friction holds it; `a` is the drive that it has to hold against. */
+/** An evaluation for a block that does not slide, whether static friction holds it; `a` is the drive to hold against. */
 export interface Standing extends Evaluation {
   /** When, in the step that the policy asked for [s]. */
   begins: number
@@ -61,7 +64,7 @@ export interface PolicyStep {
   from: State
   to: State
   stretches: Stretch[]
-  /** Of these the last one held where the outcome is at rest; after each of the others the block set off. */
+  /** Where no stretch begins with it, static friction held: the block is at rest, or rode on the belt. */
   standings: Standing[]
   outcome: Motion['outcome']
 }
@@ -140,8 +143,10 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
       stretches.push(stretch)
       const asked = motion.dt
       rule.step(motion, watchedIntegrator)
-      if (motion.v === 0) stretch.ends = 'stop'
+      if (motion.v === motion.law.belt) stretch.ends = 'stop'
+      else if (motion.outcome === 'left-the-track') stretch.ends = 'take-off'
       else if (motion.s === motion.to || motion.s === motion.from) stretch.ends = 'joint'
+      else if (motion.dt < stretch.tries[0]!.dt) stretch.ends = 'halved'
       else if (motion.dt < asked) stretch.ends = 'cut'
     },
   }

@@ -5,9 +5,9 @@ import { readReport, writeReport } from './write.ts'
 import { terminalText } from './text/terminal.ts'
 
 /**
- * `bench` measures and prints; `report` measures and writes; `redraw` writes anew what follows from the figures that are
- * there. `bench --against PATH` compares the physics module with that of another checkout. With `--quick`: few rounds, for
- * trying out.
+ * `bench` measures and prints; `report` measures and writes. `report --redraw` measures nothing: it writes the diagrams and the
+ * page again from the numbers of the last report. `bench --against PATH` compares the physics module with that of another
+ * checkout. With `--quick`: few rounds, for trying out.
  */
 const [command, ...options] = process.argv.slice(2)
 const against = options.indexOf('--against')
@@ -20,6 +20,6 @@ else if (command === 'bench' && against >= 0)
   console.log(await compareCheckouts(options[against + 1] ?? '', quick, tell))
 else if (command === 'bench')
   console.log(terminalText({ ...(await measure(quick, tell)), diagrams: [] }))
-else if (command === 'redraw') await writeReport(readReport(), tell)
-else if (command === 'report') await writeReport(await measure(quick, tell), tell)
-else throw new Error(`“${command}” is neither bench nor report nor redraw.`)
+else if (command === 'report')
+  await writeReport(options.includes('--redraw') ? readReport() : await measure(quick, tell), tell)
+else throw new Error(`“${command}” is neither bench nor report.`)

@@ -1,27 +1,32 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { dirname, join } from 'node:path'
 import { drawDiagrams } from './diagrams/index.ts'
 import type { Tell } from './measure.ts'
 import { reportProblems } from './schema/index.ts'
 import type { Report } from './schema/index.ts'
 import { targets } from './targets.ts'
+import { benchmarksFile, benchmarksPage } from './text/benchmarks.ts'
 import { formatted } from './text/formatted.ts'
-import { withReport } from './text/readme.ts'
 import { rounded } from './text/rounded.ts'
 
-const folder = join(process.cwd(), 'public/report')
+const folder = 'public/report'
 
 /** The report that was written last. */
 export function readReport(): Report {
-  return JSON.parse(readFileSync(join(folder, 'report.json'), 'utf8')) as Report
+  return JSON.parse(readFileSync(join(process.cwd(), folder, 'report.json'), 'utf8')) as Report
 }
 
 /**
- * Writes `public/report`: the figures and the diagrams; and the tables in README.
+ * Writes `public/report`, the numbers and the diagrams, and `docs/benchmarks.md`.
  *
+ * @param root the folder that both go into: the project's
  * @throws Error if what was measured is not a report
  */
-export async function writeReport(measured: Omit<Report, 'diagrams'>, tell: Tell): Promise<void> {
+export async function writeReport(
+  measured: Omit<Report, 'diagrams'>,
+  tell: Tell,
+  root = process.cwd(),
+): Promise<void> {
   const tidy = rounded(measured)
   // Anew from the tidy figures, so that they follow from what is published.
   const figures = { ...tidy, targets: rounded(targets(tidy)) }
@@ -29,12 +34,16 @@ export async function writeReport(measured: Omit<Report, 'diagrams'>, tell: Tell
   const report: Report = { ...figures, diagrams: drawings.map(({ about }) => about) }
   const problems = reportProblems(report)
   if (problems.length > 0) throw new Error(`Not a report:\n${problems.join('\n')}`)
-  mkdirSync(folder, { recursive: true })
-  for (const { about, svg } of drawings) writeFileSync(join(folder, about.file), svg)
-  const json = await formatted(JSON.stringify(report), 'public/report/report.json')
-  writeFileSync(join(folder, 'report.json'), json)
-  const readme = join(process.cwd(), 'README.md')
-  writeFileSync(readme, await withReport(readFileSync(readme, 'utf8'), report))
+  const json = `${folder}/report.json`
+  const files = {
+    ...Object.fromEntries(drawings.map(({ about, svg }) => [`${folder}/${about.file}`, svg])),
+    [json]: await formatted(JSON.stringify(report), json),
+    [benchmarksFile]: await benchmarksPage(report),
+  }
+  for (const [file, text] of Object.entries(files)) {
+    mkdirSync(dirname(join(root, file)), { recursive: true })
+    writeFileSync(join(root, file), text)
+  }
   for (const { label, figure, met } of report.targets)
     tell(`${met ? 'met   ' : 'missed'}  ${label}: ${figure.toPrecision(3)}`)
 }

@@ -80,4 +80,4 @@ function short(x: number): string {
   return String(Number(x.toFixed(3)))
 }
 
-customElements.define('runner-mark', RunnerMark)
+customElements.define('slide-runner-mark', RunnerMark)

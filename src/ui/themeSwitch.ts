@@ -33,4 +33,4 @@ class ThemeSwitch extends LitElement {
   }
 }
 
-customElements.define('theme-switch', ThemeSwitch)
+customElements.define('slide-theme-switch', ThemeSwitch)

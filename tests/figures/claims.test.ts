@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest'
 import { areaUnderV, gapsOf } from '../../src/figures/areaUnderV.ts'
 import { breakIt } from '../../src/figures/breakIt.ts'
 import { chatter, turnsOf } from '../../src/figures/chatter.ts'
-import { stepsOf } from '../../src/figures/shared/steps.ts'
+import { stepsOf } from '../../src/figures/shared/readings.ts'
 import { initialValues, readValues } from '../../src/figures/shared/control.ts'
 import type { Values } from '../../src/figures/shared/control.ts'
 import { criticalAngle } from '../../src/figures/criticalAngle.ts'
@@ -14,6 +14,7 @@ import { halfPipeEnergy } from '../../src/figures/halfPipeEnergy.ts'
 import { hitch } from '../../src/figures/hitch.ts'
 import { massCancels } from '../../src/figures/massCancels.ts'
 import { paperPath, paperStep } from '../../src/figures/paperStep.ts'
+import { stepToTolerance } from '../../src/figures/stepToTolerance.ts'
 import { springLimit } from '../../src/figures/springLimit.ts'
 import { threeStops } from '../../src/figures/threeStops.ts'
 import { whereDoesItStop } from '../../src/figures/whereDoesItStop.ts'
@@ -247,5 +248,30 @@ describe('paper-step', () => {
   test('as many points as frames', () => {
     for (const fps of [5, 7, 60])
       expect(paperPath({ ...allCorrected, fps })).toHaveLength(3 * fps + 1)
+  })
+})
+
+describe('step-to-tolerance', () => {
+  test.each([-3, -5, -7, -9])('to 10 to the power of %d, the steps crowd where the block is quick', (exponent) => {
+    const [run] = set(stepToTolerance, { exponent }).runs
+    expect(run!.experiment.timestep).toEqual({ kind: 'tolerance', tolerance: 10 ** exponent })
+    const times = [0, ...stepsOf(run!).map(({ time }) => time)]
+    // Every step that is kept, and nothing that was taken back: they add up.
+    expect(last(times)).toBeCloseTo(4, 12)
+    expect(times.length - 1).toBe(run!.steps)
+    const speeds = times.slice(1).map((time, i) => ({
+      length: time - times[i]!,
+      speed: Math.abs(exact(run!.experiment, (time + times[i]!) / 2).v),
+    }))
+    const mean = (list: typeof speeds) => list.reduce((sum, each) => sum + each.length, 0) / list.length
+    const quick = speeds.filter(({ speed }) => speed > 5)
+    const slow = speeds.filter(({ speed }) => speed < 2)
+    if (exponent < -3) expect(mean(slow)).toBeGreaterThan(1.2 * mean(quick))
+  })
+
+  test('a smaller tolerance takes more steps and leaves a smaller error', () => {
+    const [coarse, fine] = [-4, -7].map((exponent) => set(stepToTolerance, { exponent }))
+    expect(fine!.runs[0]!.steps).toBeGreaterThan(3 * coarse!.runs[0]!.steps)
+    expect(fine!.says).toContain('Allowed: 0.1\u2009µm for each second.')
   })
 })

@@ -5,7 +5,7 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, it } from 'vitest'
-import { hardCaseClaims } from '../../src/measure/hardCases/index.ts'
+import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import { holds, nearness } from '../../src/measure/hardCases/hardCase.ts'
 import type { Bound } from '../../src/measure/hardCases/hardCase.ts'
 import type { Result } from '../../src/measure/hardCases/results.ts'

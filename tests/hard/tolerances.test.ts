@@ -71,7 +71,7 @@ describe.each([hardCase('two-reversals-below-pi'), hardCase('two-reversals-beyon
 
     it.each(integrators)('$id, a step a frame: goes wrong, and ends', ({ id }) => {
       const run = simulate({ ...base, integrator: id, timestep: { kind: 'variable' } })
-      measured(name, 'wrong', [id], Math.abs(last(run.s) - truth.s), { atLeast: 1e-3 })
+      measured(name, 'wrong', [id], Math.abs(last(run.s) - truth.s), { atLeast: 5e-4 })
     })
   },
 )
@@ -80,7 +80,9 @@ describe.each([hardCase('heat-of-drag'), hardCase('heat-of-friction')])(
   '28 $label',
   ({ id: name, experiments }) => {
     const base = experiments[0]!
-    const coarsest: Record<string, number> = { rk8: 1 / 10, rk4: 1 / 20, yoshida4: 1 / 20 }
+    // Where the leading term is all: in the air, a step of 1/5 s is as long as the air's own time, m/(c v).
+    const rk8 = base.scene === 'fall' ? 1 / 10 : 1 / 5
+    const coarsest: Record<string, number> = { rk8, rk4: 1 / 20, yoshida4: 1 / 20 }
 
     it.each(integrators)('$id: the energy residual falls with its order', (method) => {
       const first = coarsest[method.id] ?? 1 / 40

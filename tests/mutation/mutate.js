@@ -14,7 +14,7 @@ import {
   writeFileSync,
 } from 'node:fs'
 import { tmpdir } from 'node:os'
-import { join, resolve } from 'node:path'
+import { basename, join, resolve } from 'node:path'
 import { mutable, tell } from './score.js'
 
 const root = resolve(import.meta.dirname, '../..')
@@ -25,7 +25,10 @@ rmSync(copy, { recursive: true, force: true })
 mkdirSync(copy)
 mkdirSync(report, { recursive: true })
 for (const each of ['package.json', 'tsconfig.json', 'src', 'tests'])
-  cpSync(join(root, each), join(copy, each), { recursive: true })
+  cpSync(join(root, each), join(copy, each), {
+    recursive: true,
+    filter: (path) => basename(path) !== 'node_modules',
+  })
 symlinkSync(join(root, 'node_modules'), join(copy, 'node_modules'), 'dir')
 
 const physics = join(copy, 'src/physics')
@@ -35,9 +38,12 @@ for (const file of readdirSync(physics, { recursive: true, encoding: 'utf8' })) 
   writeFileSync(path, mutable(readFileSync(path, 'utf8')))
 }
 
+/** Installed by `npm run mutate`. */
+const tools = join(import.meta.dirname, 'node_modules/@stryker-mutator')
+
 const settings = {
   testRunner: 'vitest',
-  plugins: ['@stryker-mutator/vitest-runner', './tests/mutation/reporter.js'],
+  plugins: [join(tools, 'vitest-runner/dist/src/index.js'), './tests/mutation/reporter.js'],
   vitest: { configFile: 'tests/mutation/vitest.config.ts', related: false },
   coverageAnalysis: 'perTest',
   // A busy machine is no endless loop.
@@ -53,7 +59,7 @@ const settings = {
 }
 writeFileSync(join(copy, 'stryker.config.json'), JSON.stringify(settings, null, 2))
 
-const stryker = join(root, 'node_modules/@stryker-mutator/core/bin/stryker.js')
+const stryker = join(tools, 'core/bin/stryker.js')
 const { status } = spawnSync(process.execPath, [stryker, 'run', ...process.argv.slice(2)], {
   cwd: copy,
   stdio: 'inherit',

@@ -2,6 +2,8 @@
  * Stryker expects each test file to have a module world to itself. Here all files share one, which spares a second or
  * more a mutant: what one file has left there is cleared before the next is read.
  */
+import { setFlagsFromString } from 'node:v8'
+import { runInNewContext } from 'node:vm'
 import { inject } from 'vitest'
 import type { FrameLoop } from '../../src/physics/frameLoop.ts'
 
@@ -12,6 +14,10 @@ interface Shared {
   }
   endsSet?: boolean
 }
+
+// Stryker runs tests in worker threads, which take no --expose-gc.
+setFlagsFromString('--expose-gc')
+globalThis.gc ??= runInNewContext('gc') as NonNullable<typeof globalThis.gc>
 
 const shared = globalThis as Shared
 const stryker = shared.__stryker__

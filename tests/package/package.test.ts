@@ -176,5 +176,5 @@ test('the physics knows of no page and needs nothing; the elements are for a pag
   expect(await code('physics.js')).not.toMatch(/\b(document|window|customElements|HTMLElement)\b/)
   const page = await code('page.js')
   expect(page).toContain('slide-figure')
-  expect(page).toContain('lab-plot')
+  expect(page).toContain('slide-lab-plot')
 })

@@ -17,6 +17,8 @@ const experiments: Experiment[] = [
   { scene: 'run-out', parameters: { mass: 1.3, angle: 50 } },
   { scene: 'half-pipe', parameters: { mass: 0.7, radius: 4, muKinetic: 0.3, muStatic: 0.4 } },
   { scene: 'spring', parameters: { mass: 4, stiffness: 90 } },
+  { scene: 'crest', parameters: { mass: 1.7, angle: 25, crestRadius: 4 } },
+  { scene: 'belt', parameters: { mass: 2, beltSpeed: 0.8 } },
 ]
 
 describe('the force vectors', () => {
@@ -60,7 +62,7 @@ describe('the force vectors', () => {
     it('friction opposes the sliding with μk N', () => {
       for (const state of states) {
         const { friction, normal, along } = forcesAt(experiment, state)
-        const expected = -Math.sign(state.v) * law.muKinetic * length(normal)
+        const expected = -Math.sign(state.v - law.belt) * law.muKinetic * length(normal)
         expect(dot(friction, along)).toBeCloseTo(expected, 12)
       }
     })

@@ -17,8 +17,8 @@ test(
     const printed = bench('--quick')
     for (const part of [
       'Measured on',
-      'One block slides down one ramp: a call for each step',
-      'A call of run.frame for each step',
+      'Time of a step: one block slides down one ramp',
+      'Time of a step: run.frame',
       'Error at the end, at 10 fps',
       'The cheapest way to an error',
       'Targets',

@@ -1,5 +1,6 @@
-import { existsSync, readdirSync, readFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join, relative } from 'node:path'
 import { describe, expect, it } from 'vitest'
 import { drawDiagrams } from '../../src/report/diagrams/index.ts'
 import { engineClocks, engineScenes } from '../../src/report/engines/scenes.ts'
@@ -7,18 +8,17 @@ import { runOurs } from '../../src/report/engines/run.ts'
 import { ours } from '../../src/report/engines/index.ts'
 import type { Report } from '../../src/report/schema/index.ts'
 import { targets } from '../../src/report/targets.ts'
-import { withReport } from '../../src/report/text/readme.ts'
+import { benchmarksFile, benchmarksPage } from '../../src/report/text/benchmarks.ts'
 import { rounded } from '../../src/report/text/rounded.ts'
+import { writeReport } from '../../src/report/write.ts'
 
 const root = join(import.meta.dirname, '../..')
 const folder = join(root, 'public/report')
 const report = JSON.parse(readFileSync(join(folder, 'report.json'), 'utf8')) as Report
-const readme = readFileSync(join(root, 'README.md'), 'utf8')
 
 describe('what is published follows from the figures, and nothing of it is typed', () => {
-  it('the tables in README', async () => {
-    expect(await withReport(readme, report)).toBe(readme)
-    expect(await withReport(readme.replaceAll('10 fps', '11 fps'), report)).toBe(readme)
+  it('the page of benchmarks', async () => {
+    expect(await benchmarksPage(report)).toBe(readFileSync(join(root, benchmarksFile), 'utf8'))
   })
 
   it('the diagrams', () => {
@@ -48,22 +48,26 @@ describe('what is published follows from the figures, and nothing of it is typed
   })
 })
 
-describe('README', () => {
-  it('names each part of the report once, with its end', () => {
-    const names = [...readme.matchAll(/<!-- report:([\w-]+) -->/g)].map(([, name]) => name)
-    expect(names.length).toBeGreaterThan(8)
-    expect(new Set(names).size).toBe(names.length)
-    expect([...readme.matchAll(/<!-- \/report:([\w-]+) -->/g)].map(([, name]) => name)).toEqual(
-      names,
-    )
-  })
+it('the page of benchmarks shows every diagram once, and says what did not run', async () => {
+  const page = await benchmarksPage({ ...report, notRun: [{ what: 'planck', why: 'missing' }] })
+  const shown = [...page.matchAll(/\]\(\.\.\/public\/report\/([^)]+)\)/g)].map(([, file]) => file!)
+  expect(shown.sort()).toEqual(report.diagrams.map(({ file }) => file).sort())
+  expect(page).toContain('- **planck**: missing')
+  expect(page).not.toContain('Everything ran.')
+})
 
-  it.each([
-    '<!-- report:nobody -->\n<!-- /report:nobody -->',
-    '<!-- report:frames -->\n<!-- /report:targets -->',
-  ])('a marker that leads nowhere is refused: %s', async (markers) => {
-    await expect(withReport(markers, report)).rejects.toThrow('README: report:')
-  })
+it('a report writes its numbers, its diagrams and its page, and nothing else', async () => {
+  const written = mkdtempSync(join(tmpdir(), 'report-'))
+  await writeReport(report, () => undefined, written)
+  const files = readdirSync(written, { recursive: true, encoding: 'utf8', withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map(({ parentPath, name }) => relative(written, join(parentPath, name)))
+  expect(files).toHaveLength(report.diagrams.length + 2)
+  for (const file of files)
+    expect(readFileSync(join(written, file), 'utf8'), file).toBe(
+      readFileSync(join(root, file), 'utf8'),
+    )
+  rmSync(written, { recursive: true })
 })
 
 it('a diagram is a picture with a name and words, light and dark, and has no number that is none', () => {

@@ -17,17 +17,17 @@ const RUNNERS = [
 ].join(';')
 
 async function openEverything(page: Page): Promise<void> {
-  await page.locator('lab-plots').scrollIntoViewIfNeeded()
-  await page.locator('lab-plots canvas.chart').first().waitFor()
+  await page.locator('slide-lab-plots').scrollIntoViewIfNeeded()
+  await page.locator('slide-lab-plots canvas.chart').first().waitFor()
   await page.getByRole('checkbox', { name: 'Show forces' }).check()
   await page
-    .locator('record-frames')
+    .locator('slide-record-frames')
     .evaluate((recorder) => ((recorder as unknown as { length: number }).length = 0.3))
   await page.getByRole('button', { name: 'Record my frames' }).click()
   await page.getByRole('button', { name: 'Record again' }).waitFor()
   for (const summary of await page.locator('slide-lab summary').all())
     if (await summary.isVisible()) await summary.click()
-  await page.locator('lab-plots table').first().waitFor()
+  await page.locator('slide-lab-plots table').first().waitFor()
 }
 
 describe.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', (colorScheme) => {

@@ -9,7 +9,7 @@ import { shared, openMeasures, press } from './measurePage.ts'
 
 describe('the runners of the lab in the diagram', () => {
   const rings = (page: Page) =>
-    page.locator('speed-diagram .ring').evaluateAll((all) =>
+    page.locator('slide-speed-diagram .ring').evaluateAll((all) =>
       all.map((each) => {
         const circle = each.querySelector('circle:not(.halo)')!
         return {
@@ -22,7 +22,7 @@ describe('the runners of the lab in the diagram', () => {
     )
   const ringKey = (page: Page) =>
     page
-      .locator('speed-diagram .ring-key')
+      .locator('slide-speed-diagram .ring-key')
       .innerText()
       .then((text) => text.replace(/\s+/g, ' '))
 
@@ -41,8 +41,8 @@ describe('the runners of the lab in the diagram', () => {
     for (const [i, fps] of [10, 30, 120].entries())
       expect(words).toContain(`${fps} fps ${sizes[i]!.replace(/\s/g, ' ')}`)
     expect(words).toContain('Dashed')
-    await lab.page.locator('speed-diagram summary').click()
-    const row = lab.page.locator('speed-diagram tbody tr').nth(sweepRates.length)
+    await lab.page.locator('slide-speed-diagram summary').click()
+    const row = lab.page.locator('slide-speed-diagram tbody tr').nth(sweepRates.length)
     expect(await row.locator('th').innerText()).toMatch(/^10 fps\s+in the lab$/)
     expect(await row.locator('td').nth(1).innerText()).toContain(sizes[0]!)
     expect(await row.locator('td').nth(0).innerText()).toBe('')
@@ -56,7 +56,7 @@ describe('the runners of the lab in the diagram', () => {
       .toEqual([false, false, false])
     await lab.ready()
     const marks = await lab.page
-      .locator('speed-diagram [data-method=semi-implicit-euler] .mark')
+      .locator('slide-speed-diagram [data-method=semi-implicit-euler] .mark')
       .evaluateAll((all) =>
         all.map((mark) => {
           const { e: x, f: y } = (mark as SVGGraphicsElement).transform.baseVal.getItem(0).matrix
@@ -85,7 +85,7 @@ describe('the runners of the lab in the diagram', () => {
     await lab.area.focus()
     await press(lab.page, 'ArrowRight', 'ArrowUp', 'Home', 'ArrowRight')
     expect(await lab.readOut()).toMatch(/^30 fps in the lab, Semi-implicit Euler: never off by /)
-    expect(await lab.page.locator('speed-diagram output').textContent()).toMatch(
+    expect(await lab.page.locator('slide-speed-diagram output').textContent()).toMatch(
       /^30 fps in the lab, Semi-implicit Euler: never off by .* evaluations a second\.$/,
     )
     await press(lab.page, 'Enter')

@@ -22,14 +22,14 @@ async function openEarly(width = 1280) {
     letGo: async () => {
       held = false
       for (const route of waiting) void route.continue()
-      await page.locator('lab-measures:defined').waitFor({ state: 'attached' })
+      await page.locator('slide-lab-measures:defined').waitFor({ state: 'attached' })
     },
   }
 }
 
 const places = (page: Page) =>
   page.evaluate(() =>
-    ['.tools .toggle', '.presets', 'slide-stage', '.transport', 'frame-strip', '.clock'].map(
+    ['.tools .toggle', '.presets', 'slide-stage', '.transport', 'slide-frame-strip', '.clock'].map(
       (selector) => document.querySelector(selector)!.getBoundingClientRect().toJSON() as object,
     ),
   )
@@ -90,7 +90,7 @@ test('the picture, the buttons, the time and undo are alive before anything else
   await page.getByRole('button', { name: 'Undo' }).click()
   expect(await spread.innerText()).toMatch(/^0\.23\sm$/)
   await page.getByRole('button', { name: 'The paper' }).click()
-  expect(await page.locator('runner-row').count()).toBe(0)
+  expect(await page.locator('slide-runner-row').count()).toBe(0)
   await letGo()
   // What was changed early is what is shown and written later.
   const stopping = page.getByRole('combobox', { name: 'Stopping, 10 fps' })
@@ -103,7 +103,7 @@ test.each([1440, 768, 390])('%i px wide, what comes later moves nothing', async 
   const { page, letGo } = await openEarly(width)
   const before = await places(page)
   await letGo()
-  await page.locator('lab-plots').waitFor()
+  await page.locator('slide-lab-plots').waitFor()
   expect(await places(page)).toEqual(before)
 })
 

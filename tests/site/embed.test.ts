@@ -8,7 +8,7 @@ test('the figure is there, and nothing else', async () => {
     expect(await page.getByRole('button', { name }).isVisible()).toBe(true)
   expect(await page.locator('.spread output').innerText()).toMatch(/^0\.\d\d\u2009m$/)
   expect(await page.getByRole('img').getAttribute('aria-label')).toContain('10 fps')
-  for (const other of ['header', 'footer', 'runner-row', '.parameters', '.scenes', '.tools'])
+  for (const other of ['header', 'footer', 'slide-runner-row', '.parameters', '.scenes', '.tools'])
     expect(await page.locator(other).count(), other).toBe(0)
   expect(problems).toEqual([])
 })
@@ -21,7 +21,7 @@ test('its address is that of the lab, and follows it', async () => {
     /\/index\.html#angle=20\.\d+$|\/index\.html#angle=21$/,
   )
   const [opened] = await Promise.all([page.waitForEvent('popup'), link.click()])
-  await opened.locator('runner-row').first().waitFor()
+  await opened.locator('slide-runner-row').first().waitFor()
   expect(opened.url()).toBe(await link.evaluate((element) => (element as HTMLAnchorElement).href))
   await expect.poll(() => page.evaluate(() => location.hash)).toBe(new URL(opened.url()).hash)
 })

@@ -9,7 +9,7 @@ const ids = figures.map(({ id }) => id)
 
 test('every figure comes alive when it comes near, shows what it opens with, and says it', async () => {
   const site = await openFigures(ids)
-  for (const { id, load, title } of figures) {
+  for (const { id, load } of figures) {
     const element = await site.see(id)
     const figure = await load()
     expect(await site.values(id)).toEqual(initialValues(figure.controls))
@@ -18,7 +18,7 @@ test('every figure comes alive when it comes near, shows what it opens with, and
     expect((await site.says(id)).replace(/\s+/g, ' ')).toBe(
       figure.says(values, runs, time).replace(/\s+/g, ' '),
     )
-    expect(await element.getAttribute('aria-label')).toBe(title)
+    expect(await element.getAttribute('aria-label')).toBe(figure.title)
     expect(await site.time(id)).toBe(time)
   }
   site.expectNoProblems()
@@ -190,7 +190,9 @@ test('the bet: place the flag, run, and be told', async () => {
 test('your-frames records the frames of this browser', async () => {
   const site = await openFigures(['your-frames'])
   const figure = await site.see('your-frames')
-  await figure.locator('frames-recorder').evaluate((each) => Object.assign(each, { length: 0.4 }))
+  await figure
+    .locator('slide-frames-recorder')
+    .evaluate((each) => Object.assign(each, { length: 0.4 }))
   await figure.getByRole('button', { name: 'Record' }).click()
   await expect.poll(() => site.says('your-frames'), { timeout: 5000 }).toContain('Your browser')
   const { frames } = await site.values('your-frames')

@@ -45,7 +45,7 @@ describe('the hard cases on the page', () => {
       ['five-fps', 3],
     ] as const) {
       await page.locator(`#hard-case-${id} a[data-lab]`).click()
-      await expect.poll(() => page.locator('runner-row').count()).toBe(runners)
+      await expect.poll(() => page.locator('slide-runner-row').count()).toBe(runners)
     }
     await page.locator('#hard-case-zero-mass a[data-lab]').click()
     const alert = page.getByRole('alert')

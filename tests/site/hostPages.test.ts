@@ -36,9 +36,9 @@ test.each(['before', 'after'])('the module %s the markup', async (where) => {
   expect(problems()).toEqual([])
 })
 
-test('README’s example', async () => {
-  const readme = readFileSync(join(import.meta.dirname, '../../README.md'), 'utf8')
-  const [, example] = /```html\n([^]*?slide-figure[^]*?)```/.exec(readme)!
+test.each(['README.md', 'docs/embedding.md'])('the example in %s', async (name) => {
+  const text = readFileSync(join(import.meta.dirname, '../..', name), 'utf8')
+  const [, example] = /```html\n([^]*?slide-figure[^]*?)```/.exec(text)!
   const { page, problems } = await openHost(example!)
   await page.locator('slide-figure [live]').waitFor()
   await page.locator('slide-lab [part=link]').waitFor()

@@ -7,7 +7,7 @@ import { openLab } from './labPage.ts'
 
 async function openInspector(...options: Parameters<typeof openLab>) {
   const lab = await openLab(...options)
-  const inspector = lab.page.locator('step-inspector')
+  const inspector = lab.page.locator('slide-step-inspector')
   await inspector.locator('summary').click()
   // What it tells is made once the browser has said that it is open, a moment after the click.
   await inspector.locator('.stepper').first().waitFor()
@@ -111,7 +111,7 @@ test('is asked for only while it is open, now and then while it plays, and exact
   await details.locator('summary').click()
   await page.getByRole('button', { name: 'To the start' }).click()
   await page.evaluate(() => {
-    const watched = document.querySelector('step-inspector')!
+    const watched = document.querySelector('slide-step-inspector')!
     // What can't be seen does not follow.
     watched.querySelector('summary')!.scrollIntoView()
     const seen = new Set<string>()
@@ -183,7 +183,9 @@ test.each([
       if (await inspector.getByRole('button', { name: 'Where it stopped' }).count())
         await press('Where it stopped')
       else await frame('First')
-      const { violations } = await new AxeBuilder({ page }).include('step-inspector').analyze()
+      const { violations } = await new AxeBuilder({ page })
+        .include('slide-step-inspector')
+        .analyze()
       expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
       expect(problems).toEqual([])

@@ -9,7 +9,7 @@ test('the lab opens on a picture that is already wrong, without a problem', asyn
   expect(await spread()).toBe('0.23\u2009m')
   expect(await page.getByRole('button', { pressed: true }).allInnerTexts()).toEqual(['Clamped'])
   expect(await time().getAttribute('aria-valuetext')).toBe('1.00 of 1.00 seconds')
-  const ends = await page.locator('runner-row .end output').allInnerTexts()
+  const ends = await page.locator('slide-runner-row .end output').allInnerTexts()
   expect(ends).toEqual(['−0.246\u2009m', '−0.082\u2009m', '−0.021\u2009m'])
   expect(await runner(0).locator('.now output').innerText()).toBe(ends[0])
   expect(await page.locator('slide-stage').getByRole('img').getAttribute('aria-label')).toContain(
@@ -89,7 +89,9 @@ test.each([320, 390, 640, 768, 1024, 1440])('%d px wide, nothing is cut off', as
   const { page, goTo } = await openLab('', { width, hasTouch: width < 800 })
   for (const address of ['#', '#scene=run-out', '#scene=spring', '#angle=95&b=1', EIGHT]) {
     await goTo(address)
-    await expect.poll(() => page.locator('runner-row').count()).toBe(address === EIGHT ? 8 : 3)
+    await expect
+      .poll(() => page.locator('slide-runner-row').count())
+      .toBe(address === EIGHT ? 8 : 3)
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
     expect(await overflowing(page), address).toEqual([])
   }

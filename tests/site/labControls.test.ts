@@ -75,7 +75,7 @@ describe('a runner', () => {
 
   test('can be hidden, duplicated, removed and added, up to eight and down to one', async () => {
     const { state, runner, page, spread } = await openLab()
-    const rows = page.locator('runner-row')
+    const rows = page.locator('slide-runner-row')
     await page.getByRole('button', { name: 'Hide 10 fps' }).click()
     expect(await spread()).toBe('0.06\u2009m')
     await page.getByRole('button', { name: 'Show 10 fps' }).click()
@@ -231,6 +231,6 @@ test('the buttons set all runners at once', async () => {
   expect(spreads.slice(0, 3)).toEqual(['0.95 m', '0.31 m', '0.23 m'])
   expect(spreads[3]).toMatch(/^0( |$)/)
   expect(spreads[4]).toBe('0 (to rounding)')
-  await page.locator('runner-row').first().getByLabel('Integrator').selectOption('rk4')
+  await page.locator('slide-runner-row').first().getByLabel('Integrator').selectOption('rk4')
   expect(await page.getByRole('button', { pressed: true }).count()).toBe(0)
 })

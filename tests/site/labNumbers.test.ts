@@ -49,7 +49,7 @@ test.each(addresses)(
     })
 
     const simulated = new Simulation().run(state)
-    expect(await lab.page.locator('runner-row .end output').allInnerTexts()).toEqual(
+    expect(await lab.page.locator('slide-runner-row .end output').allInnerTexts()).toEqual(
       expected.map((trajectory) => errorText(simulated, trajectory, trajectory.frames).text),
     )
     const ends = expected.map(({ drawnS }) => drawnS.at(-1)!)

@@ -22,7 +22,7 @@ export async function openLab(address = '', options: Parameters<typeof openPage>
     slider: (label: string) => page.getByRole('slider', { name: `${label}, slider` }),
     handle: (name: string) => page.getByRole('slider', { name }),
     spread: () => page.locator('.spread output').innerText(),
-    runner: (index: number) => page.locator('runner-row').nth(index),
+    runner: (index: number) => page.locator('slide-runner-row').nth(index),
     /** The instant that is shown [s]. The slider rounds it. */
     now: () =>
       page.evaluate(

@@ -131,7 +131,7 @@ test('while it plays nothing is told, and off the screen nothing runs', async ()
 test('every frame has its tick in the strip', async () => {
   const { page } = await openLab()
   const ticks = await page.evaluate(() => {
-    const canvas = document.querySelector<HTMLCanvasElement>('frame-strip canvas')!
+    const canvas = document.querySelector<HTMLCanvasElement>('slide-frame-strip canvas')!
     const { width, height } = canvas
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, width, height)
     const row = height / 3

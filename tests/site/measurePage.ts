@@ -72,8 +72,8 @@ export async function openMeasures(
   const { page } = lab
   // What is set up here is used when the measures are loaded, which is later.
   await page.evaluate(prepare)
-  await page.locator('lab-measures').evaluate((each) => each.scrollIntoView())
-  await page.locator('measure-views').waitFor()
+  await page.locator('slide-lab-measures').evaluate((each) => each.scrollIntoView())
+  await page.locator('slide-measure-views').waitFor()
   return {
     ...lab,
     view: (name: string) => page.getByRole('button', { name, exact: true }).click(),
@@ -83,14 +83,16 @@ export async function openMeasures(
         const { workers, heard } = window as unknown as Counted
         return { workers: workers.length, heard }
       }),
-    area: page.locator('lab-measures .area'),
-    readOut: () => page.locator('lab-measures .read-out').innerText(),
+    area: page.locator('slide-lab-measures .area'),
+    readOut: () => page.locator('slide-lab-measures .read-out').innerText(),
   }
 }
 
 async function ready(page: Page): Promise<void> {
   await page.waitForFunction(() => {
-    const measuring = document.querySelector('speed-diagram, rate-map, spread-view') as unknown as {
+    const measuring = document.querySelector(
+      'slide-speed-diagram, slide-rate-map, slide-spread-view',
+    ) as unknown as {
       measuring: { busy: boolean; done: number }
     } | null
     return measuring && !measuring.measuring.busy && measuring.measuring.done === 1
@@ -100,7 +102,7 @@ async function ready(page: Page): Promise<void> {
 /** The numbers behind the diagram, as the page has them. */
 export function sweptIn(page: Page) {
   return page.evaluate(() => {
-    const { swept } = document.querySelector('speed-diagram') as unknown as {
+    const { swept } = document.querySelector('slide-speed-diagram') as unknown as {
       swept: Map<string, Record<string, Float64Array | string>>
     }
     return [...swept].map(([method, { errors, rms, evaluations, outcomes }]) => ({

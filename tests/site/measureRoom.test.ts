@@ -27,7 +27,7 @@ describe.each([
         const before = await page.evaluate(() => {
           const places = new Set<number>()
           Object.assign(window, { places })
-          const measures = document.querySelector('lab-measures')!
+          const measures = document.querySelector('slide-lab-measures')!
           const look = () => {
             const { top } = measures.nextElementSibling!.getBoundingClientRect()
             places.add(Math.round(10 * (top + scrollY)) / 10)
@@ -40,10 +40,10 @@ describe.each([
         // Errors are measured before times are.
         if (view === 'Time on this device')
           await expect
-            .poll(() => page.locator('speed-diagram .curve').count(), { timeout: 20_000 })
+            .poll(() => page.locator('slide-speed-diagram .curve').count(), { timeout: 20_000 })
             .toBe(sweepMethods.length)
         await lab.ready()
-        await page.locator('lab-measures .measure:not([data-busy])').waitFor()
+        await page.locator('slide-lab-measures .measure:not([data-busy])').waitFor()
         const after = await page.evaluate(() => [
           ...(window as unknown as { places: Set<number> }).places,
         ])

@@ -56,18 +56,18 @@ test('nothing of it is loaded before it comes near', async () => {
       performance.getEntriesByType('resource').filter(({ name }) => /measureViews/.test(name)),
     )
   expect(await scripts()).toHaveLength(0)
-  await lab.page.locator('lab-measures').evaluate((each) => each.scrollIntoView())
-  await lab.page.locator('measure-views').waitFor()
+  await lab.page.locator('slide-lab-measures').evaluate((each) => each.scrollIntoView())
+  await lab.page.locator('slide-measure-views').waitFor()
   expect(await scripts()).toHaveLength(1)
 })
 
 describe('what was measured elsewhere', () => {
   test('is shown from the report', async () => {
     const lab = await openMeasures()
-    await lab.page.locator('measured-report summary').click()
-    await lab.page.locator('measured-report table').first().waitFor()
-    expect(await lab.page.locator('measured-report table').count()).toBe(4)
-    const text = await lab.page.locator('measured-report').innerText()
+    await lab.page.locator('slide-measured-report summary').click()
+    await lab.page.locator('slide-measured-report table').first().waitFor()
+    expect(await lab.page.locator('slide-measured-report table').count()).toBe(4)
+    const text = await lab.page.locator('slide-measured-report').innerText()
     expect(text).toContain('Measured on')
     // The targets are the report's own.
     for (const { label } of report.targets) expect(text).toContain(label)
@@ -76,10 +76,10 @@ describe('what was measured elsewhere', () => {
 
   test('a table’s heading is as wide as what is seen of it', async () => {
     const lab = await openMeasures('', { width: 390 })
-    await lab.page.locator('measured-report summary').click()
-    await lab.page.locator('measured-report table').first().waitFor()
+    await lab.page.locator('slide-measured-report summary').click()
+    await lab.page.locator('slide-measured-report table').first().waitFor()
     const widths = await lab.page
-      .locator('measured-report .scroll')
+      .locator('slide-measured-report .scroll')
       .evaluateAll((all) =>
         all.map((each) => [each.querySelector('caption')!.offsetWidth, each.clientWidth]),
       )
@@ -90,9 +90,9 @@ describe('what was measured elsewhere', () => {
   test('or it is said that there is none', async () => {
     const lab = await openMeasures()
     await lab.page.route('**/report/report.json', (route) => route.fulfill({ status: 404 }))
-    await lab.page.locator('measured-report summary').click()
+    await lab.page.locator('slide-measured-report summary').click()
     await expect
-      .poll(() => lab.page.locator('measured-report').innerText())
+      .poll(() => lab.page.locator('slide-measured-report').innerText())
       .toContain('came without a report')
   })
 })
@@ -103,12 +103,12 @@ describe.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', (
     for (const view of ['Speed against error', 'Frame-rate map', 'Frame-rate spread']) {
       await lab.view(view)
       await lab.ready()
-      for (const summary of await lab.page.locator('lab-measures summary').all())
+      for (const summary of await lab.page.locator('slide-lab-measures summary').all())
         await summary.click()
       if (view === 'Speed against error')
-        await lab.page.locator('measured-report table').first().waitFor()
+        await lab.page.locator('slide-measured-report table').first().waitFor()
       const { violations } = await new AxeBuilder({ page: lab.page })
-        .include('lab-measures')
+        .include('slide-lab-measures')
         .analyze()
       expect(
         violations.map(({ id, help, nodes }) => [id, help, ...nodes.map((node) => node.html)]),

@@ -99,11 +99,11 @@ test('what the lab shows is kept in the address, through a reload', async () => 
 test('speed against error is measured in a worker, and the report is there', async () => {
   const { page, said } = await openFile()
   const started = page.waitForEvent('worker')
-  await page.locator('lab-measures').evaluate((each) => each.scrollIntoView())
+  await page.locator('slide-lab-measures').evaluate((each) => each.scrollIntoView())
   expect((await started).url()).toMatch(/^blob:/)
   const measured = () =>
     page.evaluate(() => {
-      const diagram = document.querySelector('speed-diagram') as unknown as {
+      const diagram = document.querySelector('slide-speed-diagram') as unknown as {
         measuring: { done: number }
         swept: Map<string, unknown>
       } | null
@@ -112,8 +112,8 @@ test('speed against error is measured in a worker, and the report is there', asy
   await expect.poll(measured, { timeout: 30_000 }).toBeGreaterThan(5)
   expect(page.workers()).toHaveLength(1)
   // The report, which the page on the web fetches.
-  await page.locator('measured-report summary').click()
-  await page.locator('measured-report table').first().waitFor()
+  await page.locator('slide-measured-report summary').click()
+  await page.locator('slide-measured-report table').first().waitFor()
   expect(said).toEqual([])
 })
 
@@ -137,8 +137,10 @@ test('what is shared from it is what other people can open', async () => {
     )
     await page.getByRole('button', { name: 'Share', exact: true }).click()
     await page.getByRole('button', { name }).first().click()
-    await expect.poll(() => page.locator('share-menu [role="status"]').innerText()).not.toBe('')
-    return [await page.title(), await page.locator('share-menu [role="status"]').innerText()]
+    await expect
+      .poll(() => page.locator('slide-share-menu [role="status"]').innerText())
+      .not.toBe('')
+    return [await page.title(), await page.locator('slide-share-menu [role="status"]').innerText()]
   }
   const { page } = await openFile('#angle=20')
   const [, said] = await clipboard(page, 'Copy embed code')

@@ -57,7 +57,7 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
 async function whole(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const lab = document.querySelector('slide-lab')
-    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'lab-measures:defined'
+    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-measures:defined'
     const text = document.querySelector('.tutorial')
       ? ['slide-figure:defined', '.text > section:last-of-type.laid-out']
       : []

@@ -68,9 +68,9 @@ test('while it plays only the places that follow time change, and nothing is lai
       watched.shifts += list.getEntries().length
     }).observe({ type: 'layout-shift' })
     const follows = [
-      ...['.clock span', '.axis input', 'frame-strip .cursor', 'frame-strip .window'],
-      ...['frame-strip .enlarged span', 'frame-strip .note', '.runner .now output'],
-      'lab-plots',
+      ...['.clock span', '.axis input', 'slide-frame-strip .cursor', 'slide-frame-strip .window'],
+      ...['slide-frame-strip .enlarged span', 'slide-frame-strip .note', '.runner .now output'],
+      'slide-lab-plots',
     ].join()
     new MutationObserver((records) => {
       for (const { target } of records) {
@@ -92,7 +92,7 @@ test('while it plays only the places that follow time change, and nothing is lai
         updated?.apply(host, changes)
       }
     }
-    for (const name of ['slide-lab', 'slide-stage', 'frame-strip', 'runner-row'])
+    for (const name of ['slide-lab', 'slide-stage', 'slide-frame-strip', 'slide-runner-row'])
       rendered(document.querySelector(name), name)
   })
   await expect.poll(now, { timeout: 20_000 }).toBeGreaterThan(1.5)

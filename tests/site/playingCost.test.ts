@@ -99,7 +99,7 @@ test('what is written has a size of its own: nothing else is laid out with it', 
 
 test.each([390, 1440])('%d px wide: each part of the page is painted by itself', async (width) => {
   const { page } = await openLab(EIGHT, { width })
-  await page.locator('lab-plots').waitFor()
+  await page.locator('slide-lab-plots').waitFor()
   const together = await page.evaluate(() =>
     [...document.querySelectorAll('slide-lab .sheet > *, main > section, .text > section')]
       // The menus of the masthead lie over what comes after it.

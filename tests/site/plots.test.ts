@@ -15,9 +15,9 @@ const truth = (time: number) => exact(experimentOf(opening, opening.runners[0]!)
 async function openPlots(address = '', options: Parameters<typeof openLab>[1] = {}) {
   const lab = await openLab(address, options)
   const { page } = lab
-  await page.locator('lab-plots .multiples').evaluate((each) => each.scrollIntoView())
-  await page.locator('lab-plot[data-plot=position] canvas.chart').waitFor()
-  const plot = (id: string) => page.locator(`lab-plot[data-plot=${id}]`)
+  await page.locator('slide-lab-plots .multiples').evaluate((each) => each.scrollIntoView())
+  await page.locator('slide-lab-plot[data-plot=position] canvas.chart').waitFor()
+  const plot = (id: string) => page.locator(`slide-lab-plot[data-plot=${id}]`)
   return {
     ...lab,
     plot,
@@ -28,7 +28,7 @@ async function openPlots(address = '', options: Parameters<typeof openLab>[1] = 
       page.evaluate(
         (id) =>
           (
-            document.querySelector(`lab-plot[data-plot=${id}]`) as unknown as {
+            document.querySelector(`slide-lab-plot[data-plot=${id}]`) as unknown as {
               drawing: { curves: Drawing['curves'] }
             }
           ).drawing.curves,
@@ -46,7 +46,7 @@ const CHART = 'canvas.chart'
 
 /** Where a point stands in the window, given as parts of the box in which a plot has its curves. */
 async function at(page: Page, id: string, across: number, down = 0.5) {
-  const area = (await page.locator(`lab-plot[data-plot=${id}] .area`).boundingBox())!
+  const area = (await page.locator(`slide-lab-plot[data-plot=${id}] .area`).boundingBox())!
   const { left, top, right, bottom } = boxOf(area.width, area.height)
   return {
     x: area.x + left + across * (right - left),
@@ -59,14 +59,14 @@ test('plots are drawn when they come near, in a box that was as high before', as
   const { page } = lab
   const heights = () =>
     page
-      .locator('lab-plot')
+      .locator('slide-lab-plot')
       .evaluateAll((all) => all.map((each) => (each as HTMLElement).offsetHeight))
   const before = await heights()
   expect(before).toHaveLength(5)
   expect(Math.min(...before)).toBeGreaterThan(250)
-  expect(await page.locator('lab-plot canvas').count()).toBe(0)
-  await page.locator('lab-plots').evaluate((each) => each.scrollIntoView())
-  await expect.poll(() => page.locator('lab-plot canvas.chart').count()).toBe(5)
+  expect(await page.locator('slide-lab-plot canvas').count()).toBe(0)
+  await page.locator('slide-lab-plots').evaluate((each) => each.scrollIntoView())
+  await expect.poll(() => page.locator('slide-lab-plot canvas.chart').count()).toBe(5)
   expect(await heights()).toEqual(before)
   expect(lab.problems).toEqual([])
 })
@@ -209,7 +209,7 @@ test('by keyboard: the arrow keys go from frame to frame, and the values are tol
 test('a table is made when it is opened, follows changes, and scrolls inside itself', async () => {
   const lab = await openPlots('', { width: 320 })
   const { page } = lab
-  expect(await page.locator('lab-plots table').count()).toBe(0)
+  expect(await page.locator('slide-lab-plots table').count()).toBe(0)
   await lab.plot('position').locator('summary').click()
   const table = lab.plot('position').getByRole('table')
   await table.waitFor()
@@ -251,7 +251,7 @@ test('what can’t be seen is not drawn', async () => {
   })
   await page.waitForTimeout(150)
   expect(await lab.pixelsOf('position', CHART)).toBe(before)
-  await page.locator('lab-plots .multiples').evaluate((each) => each.scrollIntoView())
+  await page.locator('slide-lab-plots .multiples').evaluate((each) => each.scrollIntoView())
   await expect.poll(() => lab.pixelsOf('position', CHART)).not.toBe(before)
 })
 
@@ -260,7 +260,7 @@ test('on a phone there is one plot at a time', async () => {
   const { page } = lab
   const visible = () =>
     page
-      .locator('lab-plot')
+      .locator('slide-lab-plot')
       .evaluateAll((all) =>
         all.filter((each) => each.checkVisibility()).map((each) => each.getAttribute('data-plot')),
       )
@@ -291,7 +291,9 @@ test('another theme draws other colours', async () => {
 test.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', async (colorScheme) => {
   const lab = await openPlots('', { colorScheme })
   await lab.plot('phase').locator('summary').click()
-  const { violations } = await new AxeBuilder({ page: lab.page }).include('lab-plots').analyze()
+  const { violations } = await new AxeBuilder({ page: lab.page })
+    .include('slide-lab-plots')
+    .analyze()
   expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
   expect(lab.problems).toEqual([])
 })
@@ -300,7 +302,7 @@ test.each([320, 390, 768, 1440])('nothing is wider than a page of %i px', async 
   const lab = await openPlots('runners=10;15;24;30;60;90;120;144', { width })
   expect(await lab.page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
   const cut = await lab.page
-    .locator('lab-plots')
+    .locator('slide-lab-plots')
     .evaluate((plots) =>
       [...plots.querySelectorAll('.value, h3, figcaption p, button')]
         .filter(

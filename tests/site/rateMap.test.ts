@@ -11,7 +11,7 @@ describe('the frame-rate map', () => {
     await lab.view('Frame-rate map')
     await lab.ready()
     const read = await lab.page.evaluate(() => {
-      const { cells } = document.querySelector('rate-map') as unknown as {
+      const { cells } = document.querySelector('slide-rate-map') as unknown as {
         cells: {
           request: MapRequest
           cell: (column: number, row: number) => { kind: string; value: number }
@@ -35,7 +35,7 @@ describe('the frame-rate map', () => {
       const { largest } = presentationErrors(simulate(mappedExperiment(request, column, row)))
       expect(Math.abs(value - largest)).toBeLessThan(ENGINES)
     }
-    const canvas = (await lab.page.locator('rate-map canvas').boundingBox())!
+    const canvas = (await lab.page.locator('slide-rate-map canvas').boundingBox())!
     await lab.page.mouse.click(
       canvas.x + ((40 + 0.5) / 160) * canvas.width,
       canvas.y + canvas.height - ((90 + 0.5) / 120) * canvas.height,
@@ -54,7 +54,7 @@ describe('the frame-rate map', () => {
     const lab = await openMeasures('scene=spring&muStatic=0&muKinetic=0&runners=30/located')
     await lab.view('Frame-rate map')
     await lab.ready()
-    expect(await lab.page.locator('rate-map .limit').count()).toBe(1)
+    expect(await lab.page.locator('slide-rate-map .limit').count()).toBe(1)
     expect(await lab.page.locator('.map-legend').innerText()).toContain('blew up')
     expect(await lab.readOut()).toMatch(/^Of all runs, .* blows up/)
     await lab.area.focus()
@@ -62,10 +62,10 @@ describe('the frame-rate map', () => {
     expect(await lab.readOut()).toMatch(/fps, stiffness \d+\u2009N\/m: the run /)
     await press(lab.page, 'Enter')
     await expect.poll(async () => (await lab.state()).parameters.stiffness).toBeGreaterThan(1000)
-    await lab.page.locator('rate-map summary').click()
-    await lab.page.locator('rate-map table').waitFor()
-    expect(await lab.page.locator('rate-map tbody tr').count()).toBe(6)
-    expect(await lab.page.locator('rate-map tbody td').count()).toBe(48)
+    await lab.page.locator('slide-rate-map summary').click()
+    await lab.page.locator('slide-rate-map table').waitFor()
+    expect(await lab.page.locator('slide-rate-map tbody tr').count()).toBe(6)
+    expect(await lab.page.locator('slide-rate-map tbody td').count()).toBe(48)
     expect(lab.problems).toEqual([])
   })
 
@@ -85,9 +85,9 @@ describe('the frame-rate map', () => {
       .toBe('Of all runs, 100\u202f% is exact to rounding.')
     // Its colour is the one that the legend says.
     const [painted, told] = await lab.page.evaluate(() => {
-      const canvas = document.querySelector<HTMLCanvasElement>('rate-map canvas')!
+      const canvas = document.querySelector<HTMLCanvasElement>('slide-rate-map canvas')!
       const [r, g, b] = canvas.getContext('2d')!.getImageData(80, 60, 1, 1).data
-      const swatch = document.querySelector('rate-map .swatch[data-kind=rounding]')!
+      const swatch = document.querySelector('slide-rate-map .swatch[data-kind=rounding]')!
       return [`rgb(${r}, ${g}, ${b})`, getComputedStyle(swatch).backgroundColor]
     })
     expect(painted).toBe(told)

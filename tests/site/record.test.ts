@@ -12,7 +12,7 @@ type Recorder = HTMLElement & {
 async function useSteadyFrames(page: Page): Promise<void> {
   await page.evaluate(() => {
     let refresh = 0
-    const recorder = document.querySelector('record-frames') as Recorder
+    const recorder = document.querySelector('slide-record-frames') as Recorder
     recorder.source = (callback) => {
       const timer = setTimeout(() => {
         refresh += refresh % 10 === 0 ? 2 : 1
@@ -25,7 +25,7 @@ async function useSteadyFrames(page: Page): Promise<void> {
 }
 
 const parts = (page: Page) => {
-  const recorder = page.locator('record-frames')
+  const recorder = page.locator('slide-record-frames')
   return {
     recorder,
     press: (name: string) => recorder.getByRole('button', { name }).click(),
@@ -36,7 +36,9 @@ const parts = (page: Page) => {
 test('the frames of this browser are recorded, shown, and become the clock of the selected runner', async () => {
   const { page, state, problems, address, runner } = await openLab()
   const { recorder, press, sample } = parts(page)
-  await page.evaluate(() => ((document.querySelector('record-frames') as Recorder).length = 0.5))
+  await page.evaluate(
+    () => ((document.querySelector('slide-record-frames') as Recorder).length = 0.5),
+  )
   await runner(1).locator('select').first().focus()
   await press('Record my frames')
   expect(await recorder.getByRole('progressbar').count()).toBe(1)
@@ -87,7 +89,9 @@ test('it never begins by itself, and can be cancelled', async () => {
   const { recorder, press, sample } = parts(page)
   await useSteadyFrames(page)
   expect(await recorder.getByRole('progressbar').count()).toBe(0)
-  await page.evaluate(() => ((document.querySelector('record-frames') as Recorder).length = 1000))
+  await page.evaluate(
+    () => ((document.querySelector('slide-record-frames') as Recorder).length = 1000),
+  )
   await press('Record my frames')
   await press('Cancel')
   expect(await recorder.getByRole('progressbar').count()).toBe(0)
@@ -124,10 +128,12 @@ test.each([
     const { page, problems } = await openLab('', { colorScheme, width })
     const { press, sample, recorder } = parts(page)
     const violations = async () => {
-      const { violations } = await new AxeBuilder({ page }).include('record-frames').analyze()
+      const { violations } = await new AxeBuilder({ page }).include('slide-record-frames').analyze()
       return violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])
     }
-    await page.evaluate(() => ((document.querySelector('record-frames') as Recorder).length = 1000))
+    await page.evaluate(
+      () => ((document.querySelector('slide-record-frames') as Recorder).length = 1000),
+    )
     await press('Record my frames')
     expect(await violations()).toEqual([])
     await press('Cancel')

@@ -3,8 +3,7 @@ import { describe, expect, inject, test } from 'vitest'
 import type { SlideLabElement } from '../../src/elements.ts'
 import { parseExperiment } from '../../src/physics/index.ts'
 import { readAddress } from '../../src/lab/state/address.ts'
-import { toCsv } from '../../src/panels/share/csv.ts'
-import { toJson } from '../../src/panels/share/texts.ts'
+import { toCsv, toJson } from '../../src/panels/share/texts.ts'
 import { Simulation } from '../../src/lab/state/simulation.ts'
 import type { LabState } from '../../src/lab/state/state.ts'
 import { buildElements, serve } from './hosts.ts'
@@ -19,7 +18,7 @@ async function openSharing(address = '', options: Parameters<typeof openLab>[1] 
   return lab
 }
 const item = (lab: Lab, name: string) => lab.page.getByRole('button', { name })
-const status = (lab: Lab) => lab.page.locator('share-menu [role="status"]')
+const status = (lab: Lab) => lab.page.locator('slide-share-menu [role="status"]')
 const clipboard = (lab: Lab) => lab.page.evaluate(() => navigator.clipboard.readText())
 
 async function copied(lab: Lab, name: string): Promise<string> {

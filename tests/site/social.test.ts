@@ -20,7 +20,7 @@ const poster = `
   .spread { flex: 1; flex-direction: row; align-items: baseline; justify-content: space-between }
   .spread span { font-size: 24px }
   slide-lab slide-stage { flex: 0 0 366px !important }
-  .modes, .transport, .open-in-lab, frame-strip { display: none !important }
+  .modes, .transport, .open-in-lab, slide-frame-strip { display: none !important }
 `
 
 test.runIf(process.env.SHOTS === 'renew')('a picture of the lab is taken', async () => {
@@ -55,7 +55,7 @@ test('the page names a picture of the size that it says, and the site has it', a
 test('the page for lost links leads to the lab, with what the link said of it', async () => {
   const { page, problems } = await openPage({ path: '404.html#angle=20' })
   await page.getByRole('link', { name: 'Open the lab with it' }).click()
-  await page.locator('runner-row').first().waitFor()
+  await page.locator('slide-runner-row').first().waitFor()
   expect(page.url()).toMatch(/\/#angle=20$/)
   expect(problems).toEqual([])
 })

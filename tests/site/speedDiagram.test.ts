@@ -37,15 +37,15 @@ describe('speed against error', () => {
         expect(evaluations[i]).toBe(run.evaluations / run.time.at(-1)!)
         expect(Math.abs(errors[i]! - presentationErrors(run).largest)).toBeLessThan(ENGINES)
       }
-    expect(await lab.page.locator('speed-diagram .curve .mark').count()).toBe(
+    expect(await lab.page.locator('slide-speed-diagram .curve .mark').count()).toBe(
       sweepMethods.length * sweepRates.length,
     )
-    expect(await lab.page.locator('speed-diagram .advice').innerText()).toContain(
+    expect(await lab.page.locator('slide-speed-diagram .advice').innerText()).toContain(
       'For no error but rounding, use Velocity Verlet at 5 steps a second.',
     )
-    await lab.page.locator('speed-diagram summary').click()
-    await lab.page.locator('speed-diagram table').waitFor()
-    const cells = lab.page.locator('speed-diagram td')
+    await lab.page.locator('slide-speed-diagram summary').click()
+    await lab.page.locator('slide-speed-diagram table').waitFor()
+    const cells = lab.page.locator('slide-speed-diagram td')
     expect(await cells.count()).toBe(
       sweepMethods.length * (sweepRates.length + opening.runners.length),
     )
@@ -72,7 +72,7 @@ describe('speed against error', () => {
     await lab.area.focus()
     await press(lab.page, 'ArrowRight', 'ArrowDown', 'ArrowDown', 'ArrowRight', 'ArrowRight')
     expect(await lab.readOut()).toMatch(/^Velocity Verlet at 10 steps a second: exact to rounding/)
-    expect(await lab.page.locator('speed-diagram output').textContent()).toMatch(
+    expect(await lab.page.locator('slide-speed-diagram output').textContent()).toMatch(
       /^Velocity Verlet at 10 steps a second: exact to rounding, for \d+ evaluations a second\.$/,
     )
     await press(lab.page, 'Enter')
@@ -96,7 +96,7 @@ describe('speed against error', () => {
   test('is read by pointing, and a click loads the point', async () => {
     const lab = await openMeasures()
     await lab.ready()
-    const mark = lab.page.locator('speed-diagram [data-method=rk4] .mark').nth(5)
+    const mark = lab.page.locator('slide-speed-diagram [data-method=rk4] .mark').nth(5)
     const box = (await mark.boundingBox())!
     await lab.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
     await expect
@@ -108,7 +108,7 @@ describe('speed against error', () => {
       .poll(async () => (await lab.state()).runners[0])
       .toMatchObject({ integrator: 'rk4', frames: { fps: 30 } })
     // The points are the same: nothing is measured again.
-    expect(await lab.page.locator('speed-diagram [data-busy]').count()).toBe(0)
+    expect(await lab.page.locator('slide-speed-diagram [data-busy]').count()).toBe(0)
   })
 
   test('follows the lab, newest wish first, and then rests', async () => {
@@ -153,7 +153,7 @@ describe('speed against error', () => {
     await lab.page.getByRole('button', { name: 'Measure', exact: true }).click()
     await lab.ready()
     const times = await lab.page.evaluate(() => {
-      const { timed } = document.querySelector('speed-diagram') as unknown as {
+      const { timed } = document.querySelector('slide-speed-diagram') as unknown as {
         timed: Map<string, { nanoseconds: Float64Array }>
       }
       return [...timed.values()].flatMap(({ nanoseconds }) => [...nanoseconds])
@@ -189,7 +189,7 @@ describe('speed against error', () => {
     })
     await lab.page.waitForTimeout(500)
     expect((await lab.counted()).heard).toBe(heard)
-    await lab.page.locator('lab-measures').evaluate((each) => each.scrollIntoView())
+    await lab.page.locator('slide-lab-measures').evaluate((each) => each.scrollIntoView())
     await expect.poll(async () => (await lab.counted()).heard).toBeGreaterThan(heard)
   })
 })

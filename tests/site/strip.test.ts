@@ -20,7 +20,7 @@ test('what the accumulator holds is seen as an area that follows the frames', as
   const areas = async (fps: number) => {
     const { page } = await openLab(`runners=${fps}/fixed(step:1/20)`)
     return page.evaluate(() => {
-      const canvas = document.querySelector<HTMLCanvasElement>('frame-strip canvas')!
+      const canvas = document.querySelector<HTMLCanvasElement>('slide-frame-strip canvas')!
       const { width, height } = canvas
       const { data } = canvas.getContext('2d')!.getImageData(0, height - 2, width, 1)
       return data.filter((value, i) => i % 4 === 3 && value > 0).length / width
@@ -33,7 +33,7 @@ test('what the accumulator holds is seen as an area that follows the frames', as
 
 test('time that was lost or went astray is said under its lane, and to screen readers', async () => {
   const { page, time } = await openLab(LOSSY)
-  const notes = page.locator('frame-strip .note')
+  const notes = page.locator('slide-frame-strip .note')
   const texts = await notes.allInnerTexts()
   expect(texts).toHaveLength(3)
   expect(texts[0]).toMatch(/10 fps · Fixed: 1\.00\u2009s lost/)
@@ -41,7 +41,7 @@ test('time that was lost or went astray is said under its lane, and to screen re
   expect(texts[2]).toMatch(/physics is 2\.50\u2009s behind/)
   await time().fill('1')
   expect(await notes.nth(2).innerText()).toMatch(/physics is 0\.83\u2009s behind/)
-  const words = await page.locator('frame-strip .visually-hidden').textContent()
+  const words = await page.locator('slide-frame-strip .visually-hidden').textContent()
   expect(words).toMatch(/30 frames, 120 physics steps of 16\.7\u2009ms/)
   expect(words).toContain('physics is 0.83\u2009s behind')
 })
@@ -67,7 +67,7 @@ test('where they can be seen there is no second view, and the strip is as high a
   const { page, time, goTo } = await openLab()
   expect(await page.locator('.enlarged').count()).toBe(0)
   await goTo(`#${LOSSY}`)
-  const height = () => page.locator('frame-strip').evaluate((strip) => strip.clientHeight)
+  const height = () => page.locator('slide-frame-strip').evaluate((strip) => strip.clientHeight)
   await time().fill('0')
   const before = await height()
   for (const at of ['0.5', '1.5', '3']) {
@@ -84,7 +84,7 @@ test.each([
 ] as const)('%d px wide, %s: axe finds nothing', async (width, colorScheme) => {
   const { page, problems } = await openLab(LOSSY, { width, colorScheme, hasTouch: width < 800 })
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
-  const { violations } = await new AxeBuilder({ page }).include('frame-strip').analyze()
+  const { violations } = await new AxeBuilder({ page }).include('slide-frame-strip').analyze()
   expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
   expect(problems).toEqual([])
 })
@@ -92,7 +92,7 @@ test.each([
 /** How many separate things each line of pixels of a canvas of the strip has. */
 function filled(page: Page, index: number): Promise<number[]> {
   return page.evaluate((index) => {
-    const canvas = document.querySelectorAll<HTMLCanvasElement>('frame-strip canvas')[index]!
+    const canvas = document.querySelectorAll<HTMLCanvasElement>('slide-frame-strip canvas')[index]!
     const { width, height } = canvas
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, width, height)
     return Array.from({ length: height }, (_, y) => {

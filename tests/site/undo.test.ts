@@ -108,7 +108,7 @@ test('removed runners come back, and what is selected is always there', async ()
   const { page } = lab
   const selected = () =>
     page.evaluate(() => {
-      const rows = [...document.querySelectorAll('runner-row')]
+      const rows = [...document.querySelectorAll('slide-runner-row')]
       return rows.map((row) => row.hasAttribute('selected'))
     })
   await page.getByRole('button', { name: 'Remove 10 fps' }).click()

@@ -15,7 +15,7 @@ interface Focus {
 }
 
 const PARTS =
-  '.page-head, .scenes, .tools, .modes, .preset-note, slide-stage, .transport, .forces, .parameters, .runners, lab-plots, lab-measures, step-inspector, .tutorial'
+  '.page-head, .scenes, .tools, .modes, .preset-note, slide-stage, .transport, .forces, .parameters, .runners, slide-lab-plots, slide-lab-measures, slide-step-inspector, .tutorial'
 
 const focus = (page: Page): Promise<Focus> =>
   page.evaluate((parts) => {
@@ -71,8 +71,8 @@ async function tour(page: Page): Promise<Focus[]> {
 const inOrder = (stops: readonly Focus[]) => [...new Set(stops.map(({ part }) => part))]
 
 async function loadPlots({ page }: Lab): Promise<void> {
-  await page.locator('lab-plots').scrollIntoViewIfNeeded()
-  await page.locator('lab-plots canvas.chart').first().waitFor()
+  await page.locator('slide-lab-plots').scrollIntoViewIfNeeded()
+  await page.locator('slide-lab-plots canvas.chart').first().waitFor()
   await page.evaluate(() => scrollTo(0, 0))
 }
 
@@ -87,7 +87,13 @@ describe('Tab', () => {
       expect(stops.filter(({ isSeen }) => !isSeen).map(({ name }) => name)).toEqual([])
       expect(inOrder(stops)).toEqual([
         ...['page-head', 'scenes', 'tools', 'modes', 'slide-stage', 'transport', 'forces'],
-        ...['parameters', 'runners', 'lab-plots', 'lab-measures', 'step-inspector'],
+        ...[
+          'parameters',
+          'runners',
+          'slide-lab-plots',
+          'slide-lab-measures',
+          'slide-step-inspector',
+        ],
       ])
       // All that can be used is among them: of radio buttons one, and nothing of what is folded away.
       const usable = await page.evaluate(
@@ -272,10 +278,10 @@ test('the whole lab can be used with the keyboard alone', async () => {
   // A plot's table and the step inspector.
   await tabTo(page, /^As a table/)
   await pressed('Enter')
-  await page.locator('lab-plots table').first().waitFor()
+  await page.locator('slide-lab-plots table').first().waitFor()
   await tabTo(page, 'Inside this step')
   await pressed('Enter')
-  expect(await page.locator('step-inspector details[open]').count()).toBe(1)
+  expect(await page.locator('slide-step-inspector details[open]').count()).toBe(1)
 
   // From anywhere in the lab.
   await press('Control+z')
@@ -303,7 +309,7 @@ test('a recorded runner’s frame times are unfolded and changed by keys', async
 test('recording hands the focus from button to button', async () => {
   const { page } = await openLab()
   await page
-    .locator('record-frames')
+    .locator('slide-record-frames')
     .evaluate((recorder) => ((recorder as unknown as { length: number }).length = 0.3))
   await page.getByRole('button', { name: 'Add a runner' }).focus()
   await tabTo(page, 'Record my frames')
@@ -315,7 +321,7 @@ test('recording hands the focus from button to button', async () => {
     await page.keyboard.press('Enter')
     expect((await focus(page)).isBody).toBe(false)
   }
-  expect(await page.locator('runner-row').count()).toBe(8)
+  expect(await page.locator('slide-runner-row').count()).toBe(8)
 })
 
 test('no limit of steps is said in words, and typed over', async () => {

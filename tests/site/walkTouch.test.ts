@@ -28,8 +28,8 @@ async function drag(page: Page, selector: string, dx: number, dy: number): Promi
 
 /** Opens all that can be opened. */
 async function openAll({ page }: Lab): Promise<void> {
-  await page.locator('lab-plots').scrollIntoViewIfNeeded()
-  await page.locator('lab-plots canvas.chart').first().waitFor()
+  await page.locator('slide-lab-plots').scrollIntoViewIfNeeded()
+  await page.locator('slide-lab-plots canvas.chart').first().waitFor()
   await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 3 })
   await tap(page, page.getByRole('checkbox', { name: 'Show forces' }))
   for (const summary of await page.locator('slide-lab summary').all())
@@ -143,12 +143,12 @@ describe('with a finger', () => {
     expect((await state()).runners.length).toBe(3)
     await tap(page, button('Add a runner'))
     expect((await state()).runners.length).toBe(4)
-    await tap(page, runner(0).locator('runner-mark'))
+    await tap(page, runner(0).locator('slide-runner-mark'))
     expect(await runner(0).getAttribute('selected')).not.toBeNull()
 
-    await page.locator('lab-plots canvas.chart').first().waitFor()
+    await page.locator('slide-lab-plots canvas.chart').first().waitFor()
     await tap(page, page.getByText('As a table').first())
-    await page.locator('lab-plots table').first().waitFor()
+    await page.locator('slide-lab-plots table').first().waitFor()
     await tap(page, page.getByText('Inside this step'))
     await tap(page, button('Previous frame'))
     expect(problems).toEqual([])

@@ -19,7 +19,7 @@ function found(names: readonly string[], flag = '--version'): string | undefined
 function title(language: string, tool: string | undefined, wanted: string): string {
   if (tool) return `${language}, with ${tool}, gives the numbers of simulate`
   const missing = `${language} is NOT TESTED here: ${wanted} not found`
-  console.warn(`The step to take home: ${missing}. README says how to get it.`)
+  console.warn(`The step to take home: ${missing}. CONTRIBUTING says how to get it.`)
   return missing
 }
 

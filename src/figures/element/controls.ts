@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { plain } from '../../chart/numbers.ts'
-import { typeset } from '../../ui/typeset.ts'
+import { typeset } from '../../ui/quantityControl.ts'
 import type {
   ChoiceControl,
   Control,
@@ -48,7 +48,7 @@ function oneOf(control: Control, state: ControlState, value: Value, pick: Pick) 
   if (control.type === 'number') return slider(control, state, value as number, pick)
   if (control.type === 'choice') return choice(control, state, value as string, pick)
   if (control.type === 'switch') return toggle(control, value as boolean, pick)
-  return html`<frames-recorder .pick=${pick}></frames-recorder>`
+  return html`<slide-frames-recorder .pick=${pick}></slide-frames-recorder>`
 }
 
 /** A number as the controls write it: “30 fps”. */

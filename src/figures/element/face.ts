@@ -51,7 +51,7 @@ function pictures({ figure, values, runs, playback, lit, set }: Face) {
   const view = (time: number): View => ({ values, runs, time, lit })
   return figure.panels.map(
     (panel, i) =>
-      html`<figure-picture
+      html`<slide-figure-picture
         .panel=${panel}
         .controls=${figure.controls}
         .view=${view}
@@ -60,7 +60,7 @@ function pictures({ figure, values, runs, playback, lit, set }: Face) {
         .playback=${playback}
         .set=${set}
         .description=${i === 0 ? figure.pictured : ''}
-      ></figure-picture>`,
+      ></slide-figure-picture>`,
   )
 }
 

@@ -114,7 +114,7 @@ const reversals: Claims = {
   },
   wrong: {
     what: 'A step a frame, any method: off at the end',
-    why: 'three steps a swing or fewer are no swing; a tenth of the amplitude at the least',
+    why: 'three steps a half swing or fewer resolve nothing: a twentieth of the amplitude at the least',
     unit: 'm',
     failure: 'goes wrong, but ends',
   },

@@ -26,12 +26,12 @@ interface Shown {
 export function stepInspector(lab: LabView) {
   const { simulated, selected, playback } = lab
   const runner = simulated.runners[selected]!
-  return html`<step-inspector
+  return html`<slide-step-inspector
     .lab=${lab}
     .runner=${runner}
     .row=${atNow(playback, (time) => rowAt(runner.trajectory, time))}
     .playing=${playback.playing}
-  ></step-inspector>`
+  ></slide-step-inspector>`
 }
 
 /**
@@ -98,7 +98,8 @@ class StepInspector extends LitElement {
     const end = endOf(runner.trajectory)
     return html`
       <p class="whose">
-        <runner-mark .paletteIndex=${runner.state.paletteIndex}></runner-mark> ${runner.name}
+        <slide-runner-mark .paletteIndex=${runner.state.paletteIndex}></slide-runner-mark>
+        ${runner.name}
       </p>
       ${stepper({ what: 'frame', from: 1, to: frames, at: row, go: seek })}
       ${
@@ -204,4 +205,4 @@ function stepper({ what, from, to, at, go }: StepperOptions) {
   </div>`
 }
 
-customElements.define('step-inspector', StepInspector)
+customElements.define('slide-step-inspector', StepInspector)

@@ -1,7 +1,8 @@
+import { html, nothing } from 'lit'
 import { integrators } from '../../physics/index.ts'
-import { cheapest } from '../../measure/index.ts'
+import { cheapest, sweepRates } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
-import { plain } from '../../chart/numbers.ts'
+import { plain, raw } from '../../chart/numbers.ts'
 import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 
 /** Errors that people ask for, as powers of ten of a metre, and the last: none but rounding. */
@@ -62,4 +63,114 @@ export function pointWords({ error, cost, outcome, whole }: DiagramPoint, kind: 
   if (!whole) return 'the true motion is not known here'
   const size = error === 0 ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
   return `${size}, ${price}`
+}
+
+/**
+ * What to use for which error.
+ *
+ * @param cost by what it is the cheapest
+ * @param show called with the point whose run the reader wants to see
+ */
+export function diagramAdvice(
+  curves: readonly DiagramCurve[],
+  cost: string,
+  show: (point: DiagramPoint) => void,
+) {
+  const found = advice(curves)
+  const least = leastError(curves)
+  return html`<div class="advice">
+    <p class="title">What to use here <span class="soft">by ${cost.toLowerCase()}</span></p>
+    <ul>
+      ${found.map(
+        ({ error, point }) =>
+          html`<li>
+            For <b>${error}</b>, use
+            <button type="button" class="in-text" @click=${() => show(point)}>
+              ${pointName(point)}</button
+            >.
+          </li>`,
+      )}
+    </ul>
+    ${
+      found.length > 0 && least > 1e-9
+        ? html`<p class="soft">
+            Nothing here comes nearer than ${roughSize(least)} with up to
+            ${plain(sweepRates.at(-1)!)} steps a second.
+          </p>`
+        : nothing
+    }
+  </div>`
+}
+
+/** The diagram in numbers: a row for each rate, tolerance and runner of the lab, the error and the cost of each method. */
+export function diagramTable(
+  curves: readonly DiagramCurve[],
+  runners: readonly DiagramPoint[],
+  kind: CostKind,
+) {
+  const byRate = curves.filter(({ by }) => by === 'rate')
+  const byTolerance = curves.filter(({ by }) => by === 'tolerance')
+  const rates = byRate[0]?.points.map(({ setting }) => setting) ?? []
+  const all = byTolerance.flatMap(({ points }) => points.map(({ setting }) => setting))
+  const tolerances = [...new Set(all)].sort((a, b) => b - a)
+  return html`<div
+    class="scroll"
+    tabindex="0"
+    role="region"
+    aria-label="Speed against error, table"
+  >
+    <table>
+      <caption>
+        Largest error of the run, and under it the cost of a simulated second
+        (${kind.label.toLowerCase()})
+      </caption>
+      <thead>
+        <tr>
+          <th scope="col">steps a second</th>
+          ${byRate.map(({ label, order }) => html`<th scope="col">${label}<small>${order}</small></th>`)}
+        </tr>
+      </thead>
+      <tbody>
+        ${rates.map(
+          (rate, row) =>
+            html`<tr>
+              <th scope="row">${plain(rate)}</th>
+              ${byRate.map(({ points }) => cell(points[row]!, kind))}
+            </tr>`,
+        )}
+        ${tolerances.map(
+          (tolerance) =>
+            html`<tr>
+              <th scope="row">to ${roughSize(tolerance)}<small>a second</small></th>
+              ${byRate.map(({ method }) => cellAt(byTolerance, method, tolerance, kind))}
+            </tr>`,
+        )}
+        ${runners.map(
+          (point) =>
+            html`<tr>
+              <th scope="row">${point.runner!.name}<small>in the lab</small></th>
+              ${byRate.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
+            </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`
+}
+
+/** Nothing where a method is not asked for so small a tolerance. */
+function cellAt(
+  curves: readonly DiagramCurve[],
+  method: string,
+  tolerance: number,
+  kind: CostKind,
+) {
+  const points = curves.find((curve) => curve.method === method)?.points
+  const point = points?.find(({ setting }) => setting === tolerance)
+  return point ? cell(point, kind) : html`<td></td>`
+}
+
+function cell(point: DiagramPoint, kind: CostKind) {
+  return html`<td title="${raw(point.error)} m for ${raw(point.cost)}">
+    ${errorText(point)}<small>${kind.text(point.cost)}</small>
+  </td>`
 }

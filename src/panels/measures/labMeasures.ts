@@ -51,11 +51,11 @@ class LabMeasures extends LitElement {
       <h2>Measures</h2>
       ${
         loaded
-          ? html`<measure-views
+          ? html`<slide-measure-views
               .simulated=${simulated}
               .selected=${selected}
               .lab=${lab}
-            ></measure-views>`
+            ></slide-measure-views>`
           : nothing
       }
     </section>`
@@ -68,4 +68,4 @@ class LabMeasures extends LitElement {
   }
 }
 
-customElements.define('lab-measures', LabMeasures)
+customElements.define('slide-lab-measures', LabMeasures)

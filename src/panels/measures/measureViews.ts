@@ -78,20 +78,23 @@ class MeasureViews extends LitElement {
     const { experiment } = runner.trajectory
     switch (view) {
       case 'diagram':
-        return html`<speed-diagram
+        return html`<slide-speed-diagram
             .experiment=${experiment}
             .runners=${simulated.visible}
             .load=${this.load}
-          ></speed-diagram>
-          <measured-report></measured-report>`
+          ></slide-speed-diagram>
+          <slide-measured-report></slide-measured-report>`
       case 'map':
-        return html`<rate-map
+        return html`<slide-rate-map
           .experiment=${experiment}
           .paletteIndex=${runner.state.paletteIndex}
           .load=${this.load}
-        ></rate-map>`
+        ></slide-rate-map>`
       case 'spread':
-        return html`<spread-view .state=${simulated.state} .load=${this.loadMethod}></spread-view>`
+        return html`<slide-spread-view
+          .state=${simulated.state}
+          .load=${this.loadMethod}
+        ></slide-spread-view>`
       default:
         return nothing
     }
@@ -107,4 +110,4 @@ class MeasureViews extends LitElement {
   ): void => loadMethod(this.lab, scene, method, { label, words })
 }
 
-customElements.define('measure-views', MeasureViews)
+customElements.define('slide-measure-views', MeasureViews)

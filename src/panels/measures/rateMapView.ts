@@ -7,15 +7,12 @@ import type { MapRequest, MapRow, Method } from '../../measure/index.ts'
 import { tableFold } from '../../ui/tableFold.ts'
 import type { Measured } from './loading.ts'
 import { MapCells } from './mapCells.ts'
-import { mapLegend } from './mapColours.ts'
-import { mapControls } from './mapControls.ts'
+import { mapLegend, isDark, keepPainted } from './mapImage.ts'
+import { mapControls, mapRequest, parameterFor } from './mapChoice.ts'
 import { cellUnder, mapDrawing, mapFrame, placeOf } from './mapDrawing.ts'
 import type { MapFrame, MapPlace } from './mapDrawing.ts'
-import { isDark, keepPainted } from './mapImage.ts'
-import { mapTable } from './mapTable.ts'
-import { mapRequest, parameterFor } from './mapChoice.ts'
+import { mapTable, cellWords, limitWords, placeText, summary } from './mapWords.ts'
 import type { MapChoice } from './mapChoice.ts'
-import { cellWords, limitWords, placeText, summary } from './mapWords.ts'
 import { Measuring } from './measuring.ts'
 import { areaSize, arrows, pictureChoice } from './pictureArea.ts'
 import type { PictureChoice } from './pictureArea.ts'
@@ -184,4 +181,4 @@ function mapCross(host: Host): PictureChoice<MapPlace> {
   })
 }
 
-customElements.define('rate-map', RateMap)
+customElements.define('slide-rate-map', RateMap)

@@ -9,12 +9,10 @@ import { segments } from '../../ui/segments.ts'
 import { tableFold } from '../../ui/tableFold.ts'
 import '../../ui/runnerMark.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { diagramAdvice } from './diagramAdvice.ts'
+import { diagramAdvice, errorText, pointName, pointWords, diagramTable } from './diagramWords.ts'
 import { diagramDrawing } from './diagramDrawing.ts'
 import { layOut } from './diagramLayout.ts'
 import type { DiagramLayout, DiagramSpot } from './diagramLayout.ts'
-import { diagramTable } from './diagramTable.ts'
-import { errorText, pointName, pointWords } from './diagramWords.ts'
 import { labRunners } from './labRunners.ts'
 import type { LabRunner } from './labRunners.ts'
 import { loadByAddress } from './loading.ts'
@@ -167,7 +165,7 @@ export function curveKey(curves: readonly DiagramCurve[]) {
     ${integrators.map(
       ({ id, label, colour }) =>
         html`<li>
-          <runner-mark .paletteIndex=${colour}></runner-mark> ${label}
+          <slide-runner-mark .paletteIndex=${colour}></slide-runner-mark> ${label}
           <span class="soft"
             >${curves.find(({ method, by }) => method === id && by === 'rate')?.order}</span
           >
@@ -184,7 +182,7 @@ export function ringKey(runners: readonly LabRunner[]) {
     ${runners.map(
       ({ name, paletteIndex, point, why }) =>
         html`<li title=${point ? `${raw(point.error)} m` : ''}>
-          <runner-mark .paletteIndex=${paletteIndex}></runner-mark> ${name}
+          <slide-runner-mark .paletteIndex=${paletteIndex}></slide-runner-mark> ${name}
           <span class="soft">${point ? errorText(point) : `no ring: ${why}`}</span>
         </li>`,
     )}
@@ -196,4 +194,4 @@ export function ringKey(runners: readonly LabRunner[]) {
   </ul>`
 }
 
-customElements.define('speed-diagram', SpeedDiagram)
+customElements.define('slide-speed-diagram', SpeedDiagram)

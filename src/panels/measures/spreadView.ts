@@ -5,7 +5,7 @@ import { spreadMethods } from '../../measure/index.ts'
 import type { Method, Spread, SpreadRequest, SpreadRow } from '../../measure/index.ts'
 import { sizeText } from '../../chart/magnitudes.ts'
 import { menu } from '../../ui/menu.ts'
-import { choose } from '../../lab/state/change.ts'
+import { choose } from '../../lab/state/choose.ts'
 import { openingOf } from '../../lab/state/opening.ts'
 import { spreadText } from '../../lab/state/spreadText.ts'
 import type { LabState } from '../../lab/state/state.ts'
@@ -145,4 +145,4 @@ class SpreadView extends LitElement {
   }
 }
 
-customElements.define('spread-view', SpreadView)
+customElements.define('slide-spread-view', SpreadView)

@@ -26,19 +26,19 @@ export function parametersPanel({ simulated: { state, scene }, change }: LabView
         Object.entries(scene.parameters),
         ([name]) => `${scene.id} ${name}`,
         ([name, quantity]) =>
-          html`<quantity-control
+          html`<slide-quantity-control
             .quantity=${quantity}
             .value=${state.parameters[name]}
             .initial=${start.parameters[name]}
             .pick=${(value: unknown) => change({ kind: 'parameters', values: { [name]: value } })}
-          ></quantity-control>`,
+          ></slide-quantity-control>`,
       )}
-      <quantity-control
+      <slide-quantity-control
         .quantity=${durationQuantity}
         .value=${state.duration}
         .initial=${start.duration}
         .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
-      ></quantity-control>
+      ></slide-quantity-control>
     </div>
   </section>`
 }

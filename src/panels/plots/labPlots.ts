@@ -55,7 +55,7 @@ class LabPlots extends LitElement {
           ${simulated.visible.map(
             ({ name, state }) =>
               html`<li>
-                <runner-mark .paletteIndex=${state.paletteIndex}></runner-mark> ${name}
+                <slide-runner-mark .paletteIndex=${state.paletteIndex}></slide-runner-mark> ${name}
               </li>`,
           )}
           <li><span class="dash" aria-hidden="true"></span> exact</li>
@@ -76,7 +76,7 @@ class LabPlots extends LitElement {
       <div class="multiples">
         ${plotKinds.map(
           (kind) =>
-            html`<lab-plot
+            html`<slide-lab-plot
               ?data-chosen=${kind.id === chosen}
               data-plot=${kind.id}
               .kind=${kind}
@@ -87,7 +87,7 @@ class LabPlots extends LitElement {
               .selected=${this.selected}
               .seek=${this.seek}
               .point=${this.point}
-            ></lab-plot>`,
+            ></slide-lab-plot>`,
         )}
       </div>
     </section>`
@@ -98,4 +98,4 @@ class LabPlots extends LitElement {
   }
 }
 
-customElements.define('lab-plots', LabPlots)
+customElements.define('slide-lab-plots', LabPlots)

@@ -89,7 +89,7 @@ export function plotValues(
         ${
           paletteIndex === EXACT
             ? html`<span class="dash" aria-hidden="true"></span>`
-            : html`<runner-mark .paletteIndex=${paletteIndex}></runner-mark>`
+            : html`<slide-runner-mark .paletteIndex=${paletteIndex}></slide-runner-mark>`
         }<span class="visually-hidden">${name}</span>
         <span class="value">${reading?.text ?? '–'}</span>
       </li>`

@@ -1,7 +1,8 @@
 import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../../physics/index.ts'
-import { readNumber, writeNumber } from '../../chart/numbers.ts'
+import { writeNumber } from '../../chart/numbers.ts'
+import { readNumber } from '../../chart/typedNumber.ts'
 import '../../ui/quantityControl.ts'
 import { summaryText } from '../../lab/state/frameTimes.ts'
 
@@ -32,13 +33,13 @@ function field(
 ) {
   if (option.type === 'choice') return choiceField(of, option, value as string, pick)
   if (option.type === 'list') return timesField(of, option, value as readonly number[], pick)
-  return html`<quantity-control
+  return html`<slide-quantity-control
     layout=${key === 'fps' ? 'bare' : 'inline'}
     .quantity=${option}
     .value=${value as number}
     .labelled=${of}
     .pick=${pick}
-  ></quantity-control>`
+  ></slide-quantity-control>`
 }
 
 function choiceField(

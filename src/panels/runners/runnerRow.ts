@@ -8,7 +8,7 @@ import { menu } from '../../ui/menu.ts'
 import '../../ui/runnerMark.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
-import { choose } from '../../lab/state/change.ts'
+import { choose } from '../../lab/state/choose.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import type { RunnerState } from '../../lab/state/state.ts'
@@ -74,7 +74,7 @@ class RunnerRow extends LitElement {
   private mark() {
     const { paletteIndex, hidden } = this.runner.state
     return html`<span class="mark"
-      ><runner-mark .paletteIndex=${paletteIndex} .hollow=${hidden}></runner-mark
+      ><slide-runner-mark .paletteIndex=${paletteIndex} .hollow=${hidden}></slide-runner-mark
     ></span>`
   }
 
@@ -238,4 +238,4 @@ class RunnerRow extends LitElement {
   }
 }
 
-customElements.define('runner-row', RunnerRow)
+customElements.define('slide-runner-row', RunnerRow)

@@ -23,13 +23,13 @@ export function runnersTable(lab: LabView) {
       runners,
       ({ state }) => state.paletteIndex,
       (runner, index) =>
-        html`<runner-row
+        html`<slide-runner-row
           .lab=${lab}
           .runner=${runner}
           .index=${index}
           .count=${runners.length}
           .selected=${index === lab.selected}
-        ></runner-row>`,
+        ></slide-runner-row>`,
     )}
     <button
       type="button"
@@ -39,7 +39,10 @@ export function runnersTable(lab: LabView) {
     >
       Add a runner
     </button>
-    <record-frames .lab=${lab} .selected=${runners[lab.selected]?.name ?? ''}></record-frames>
+    <slide-record-frames
+      .lab=${lab}
+      .selected=${runners[lab.selected]?.name ?? ''}
+    ></slide-record-frames>
     ${notes(lab)}
   </section>`
 }

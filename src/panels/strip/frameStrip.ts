@@ -7,8 +7,7 @@ import type { Playback } from '../../lab/playback/playback.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import { drawPlayhead } from './playhead.ts'
-import { drawLane } from './stripDrawing.ts'
+import { drawPlayhead, drawLane } from './stripDrawing.ts'
 import { StripTiles } from './stripTiles.ts'
 import type { TimeSpan } from './stripTiles.ts'
 import { noteOf, stripText } from './stripWords.ts'
@@ -257,4 +256,4 @@ function hasNote(runner: SimulatedRunner): boolean {
   return noteOf(runner, 0) !== ''
 }
 
-customElements.define('frame-strip', FrameStrip)
+customElements.define('slide-frame-strip', FrameStrip)

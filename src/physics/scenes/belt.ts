@@ -4,6 +4,8 @@ import { straight } from '../track.ts'
 import { gravity, mass, muKinetic, muStatic, position, speed } from './parameters.ts'
 import { stiffness } from './spring.ts'
 
+// Slow enough for a block that starts at rest: friction alone makes it no faster than μk g √(m/k), 0.465 m/s, which is
+// where it would never stick.
 const beltSpeed = {
   type: 'number',
   label: 'Speed of the belt',
@@ -12,7 +14,7 @@ const beltSpeed = {
   min: -1e9,
   max: 1e9,
   slider: { from: -2, to: 2, step: 0.01 },
-  initial: 0.5,
+  initial: 0.4,
   optional: true,
 } as const satisfies NumberOption
 

@@ -21,8 +21,9 @@ const SHORTER = 0.2
 const LONGER = 5
 // What rounding may leave between two ways to the same place, in parts of the size of what is compared.
 const ROUNDING = 16 * Number.EPSILON
-// An event so early in a step, in parts of it, leaves a whole and two halves to compare.
-const EARLY = 1 / 16
+// A step that ends at an event ends there but for its error, so that the next may begin with the same event. So early in
+// a step, in parts of it, an event hides less than a billionth of the error.
+const EARLY = 1e-3
 // Far more than any smooth motion asks for: the rule does not come to an end there.
 const MOST_TRIES_A_FRAME = 1e6
 
@@ -36,8 +37,9 @@ export const toTolerance = {
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
   start: ({ tolerance }: Values<typeof options>) => {
-    // The step that the last one recommends. A field, since engines box a number that a closure keeps changing.
-    const next = { step: Infinity }
+    // The step that the last one recommends, and whether that one ended at an event. An object, since engines box a
+    // number that a closure keeps changing.
+    const next = { step: Infinity, afterEvent: false }
     return (frame) => {
       // #region advance
       const { motion, time, frameDuration } = frame
@@ -46,7 +48,7 @@ export const toTolerance = {
         if (tries === MOST_TRIES_A_FRAME) return frame.abandon()
         let step = left / Math.max(1, Math.ceil(left / next.step))
         frame.stateTime = time - left
-        tryStep(frame, step)
+        const atEvent = tryStep(frame, step, next.afterEvent ? EARLY : 0)
         step = 2 * motion.dt
         frame.allowed = tolerance * step
         const accepted = frame.error <= frame.allowed
@@ -54,8 +56,10 @@ export const toTolerance = {
         const recommended = step * Math.min(factor, LONGER)
         // A step that the end of the frame cut short says nothing against a longer one.
         next.step = accepted && factor >= 1 ? Math.max(recommended, next.step) : recommended
-        if (accepted) left = step === left ? 0 : left - step
-        else frame.restore()
+        if (accepted) {
+          left = step === left ? 0 : left - step
+          next.afterEvent = atEvent
+        } else frame.restore()
         frame.judge(accepted)
       }
       frame.stateTime = time
@@ -66,17 +70,19 @@ export const toTolerance = {
 
 /**
  * Takes a step, takes it back, and takes it again in two halves, whose length it leaves in `motion.dt`. A step in which
- * something happens is cut to end there, since what follows the event could be one and the same step on both ways. Sets `error` to
+ * something happens, later than that part of it, is cut to end there, since what comes before the event, or after it, is one
+ * and the same step on both ways. Returns whether it was. Sets `error` to
  * how far off the halves are, by how far they are from the whole (Richardson, 1911): in place, and in a second's way
  * at the speed [m].
  */
-function tryStep(frame: FrameContext, step: number): void {
+function tryStep(frame: FrameContext, step: number, early: number): boolean {
   const { motion } = frame
   frame.save()
   motion.dt = step
   frame.step()
   const { firstPart } = motion
-  if (firstPart > EARLY * step && firstPart < step) {
+  const atEvent = firstPart > early * step && firstPart < step
+  if (atEvent) {
     frame.restore()
     motion.dt = firstPart
     frame.step()
@@ -89,6 +95,7 @@ function tryStep(frame: FrameContext, step: number): void {
   const place = beyondRounding(motion.s, s)
   const speed = beyondRounding(motion.v, v)
   frame.error = (place + speed) / (power(2, frame.order) - 1)
+  return atEvent
 }
 
 function beyondRounding(a: number, b: number): number {

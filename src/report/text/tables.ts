@@ -3,7 +3,7 @@ import { engines as physicsEngines } from '../engines/index.ts'
 import type { FrameTime, Report } from '../schema/index.ts'
 import { eachInMetres, metres, nanoseconds, plain, times } from './figures.ts'
 
-/** A table of the report: what README and the terminal show of it. */
+/** A table of the report: shown in `docs/benchmarks.md` and on the terminal. */
 export interface Table {
   readonly title: string
   readonly head: readonly string[]
@@ -40,7 +40,7 @@ export function engineErrors(
 export function engineTimes(report: Report): Table {
   const { times: rows, friction } = report.engineTests
   return {
-    title: 'One block slides down one ramp: a call for each step',
+    title: 'Time of a step: one block slides down one ramp, one call a step',
     head: ['', 'time', 'quickest to slowest round', 'times ours', 'heap a step', 'μ seen for 0.5'],
     rows: rows.map(({ engine, step, ratio, bytes }) => {
       const seen = friction.find((row) => row.engine === engine)?.seen
@@ -59,7 +59,7 @@ export function engineTimes(report: Report): Table {
 /** Who gets to an error at the lowest cost for a simulated second. */
 export function cheapestWays({ frontiers }: Report): Table {
   return {
-    title: 'The cheapest way to an error, for one simulated second',
+    title: 'The cheapest way to an error: cost of one simulated second',
     head: ['', 'fewest evaluations of ours', 'odex', 'least time of ours', 'odex', 'who is ahead'],
     rows: frontiers.flatMap(({ label, at }) =>
       at.map(({ error, fewest, quickest, odex }) => [
@@ -88,7 +88,7 @@ export function frameTable({ frames }: Report): Table {
   const cell = (time: FrameTime['mixed'], ratio: number | null) =>
     time && ratio ? `${nanoseconds(time.median)}, ${times(ratio)}` : '–'
   return {
-    title: 'A call of run.frame for each step, and how often the handwritten loop’s time',
+    title: 'Time of a step: run.frame, and its ratio to the handwritten loop',
     head: ['', 'handwritten loop', 'run.frame, alone', 'run.frame, after everything else'],
     rows: frames.map(({ scene, integrator, handwritten, alone, mixed, ratios }) => [
       `${labelIn(scenes, scene)}, ${labelIn(integrators, integrator)}`,
@@ -126,7 +126,7 @@ export function oddities(report: Report): string[] {
     else lines.set(where, [`${note} (${clock})`])
   }
   return [...lines].map(([where, [first, ...others]]) => {
-    const also = others.length > 0 ? `; odd as well: ${others.join(', ')}` : ''
+    const also = others.length > 0 ? `; also: ${others.join(', ')}` : ''
     return `${where}: ${first!}${also}`
   })
 }

@@ -8,7 +8,8 @@ import {
 } from '../../../src/physics/index.ts'
 import { isAddress, readAddress, writeAddress } from '../../../src/lab/state/address.ts'
 import { opening, openingOf } from '../../../src/lab/state/opening.ts'
-import { changed, choose } from '../../../src/lab/state/change.ts'
+import { changed } from '../../../src/lab/state/change.ts'
+import { choose } from '../../../src/lab/state/choose.ts'
 import type { LabState, RunnerState } from '../../../src/lab/state/state.ts'
 
 test('the opening needs no words, a scene’s opening only its name', () => {

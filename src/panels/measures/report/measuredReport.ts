@@ -1,9 +1,8 @@
 import { html, LitElement, nothing } from 'lit'
 import type { Report } from '../../../report/schema/index.ts'
 import { plain } from '../../../chart/numbers.ts'
-import { engineErrors, engineTimes } from './engines.ts'
+import { engineErrors, engineTimes, frameTimes } from './tables.ts'
 import { fetchReport } from './fetchReport.ts'
-import { frameTimes } from './frameTimes.ts'
 
 /** What the report says that comes with the page, fetched when it is unfolded. */
 class MeasuredReport extends LitElement {
@@ -112,4 +111,4 @@ function aims({ targets }: Report) {
   </div>`
 }
 
-customElements.define('measured-report', MeasuredReport)
+customElements.define('slide-measured-report', MeasuredReport)
