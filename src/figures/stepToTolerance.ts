@@ -8,20 +8,18 @@ import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { stepsOf } from './shared/readings.ts'
 
-const DURATION = 4
-/** Of a pipe's quarter circle, 3.14 m, nearly all. */
-const START = 3
+const DURATION = 2
 
 interface ToleranceValues {
   readonly exponent: number
 }
 
-/** A swing in steps that the error asks for: many where the block is quick, few where it is slow. */
+/** A dive in steps that the error asks for: many where the stone is quick, few where it sinks steadily. */
 export const stepToTolerance = figure({
   id: 'step-to-tolerance',
   title: 'As many steps as the error asks for',
   pictured:
-    'The position of a block that swings in a half-pipe, with a dot at the end of each step, and below it a bar for each step, as tall as the step is long. The bars are shortest where the block is quickest.',
+    'The depth of a stone that dives into water, with a dot at the end of each step, and below it a bar for each step, as tall as the step is long. The bars are short at first, where the water brakes the stone, and longer the more steadily it sinks.',
   controls: {
     exponent: {
       type: 'number',
@@ -35,8 +33,8 @@ export const stepToTolerance = figure({
   },
   experiments: ({ exponent }): Experiment[] => [
     {
-      scene: 'half-pipe',
-      parameters: { radius: 2, muStatic: 0, muKinetic: 0, position: START },
+      scene: 'fall',
+      parameters: { drag: 2, speed: 12, position: 0 },
       integrator: 'rk4',
       timestep: { kind: 'tolerance', tolerance: toleranceOf(exponent) },
       // Frames so long that they cut hardly any step.
@@ -74,10 +72,10 @@ function drawPath(surface: DrawingSurface, { runs }: Surface): void {
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)
   const box = { left: 46, right: width - 22, top: 30, bottom: height - 12 }
-  const graph = graphIn(box, [0, DURATION], [-1.1 * START, 1.1 * START])
-  drawAxes(context, graph, { up: 'position, m' }, palette)
-  const { x, y } = graph
   const run = runs[0]!
+  const graph = graphIn(box, [0, DURATION], [1.05 * run.s[run.frames]!, 0])
+  drawAxes(context, graph, { up: 'depth, m' }, palette)
+  const { x, y } = graph
   const truth = exactMotion(run.experiment)
   const at = (time: number) => ({ x: x(time), y: y(truth(time, { s: 0, v: 0 }).s) })
   const times = Array.from({ length: 161 }, (_, i) => (DURATION * i) / 160)

@@ -158,9 +158,7 @@ export function* timedSweep(
       for (const [i, setting] of settings.entries()) {
         const experiment = experimentAt(request, curve, setting)
         nanoseconds[i] = Math.min(nanoseconds[i]!, nanosecondsPerSecond(experiment, clock))
-        yield i === settings.length - 1
-          ? { ...curve, nanoseconds: nanoseconds.slice() }
-          : undefined
+        yield i === settings.length - 1 ? { ...curve, nanoseconds: nanoseconds.slice() } : undefined
       }
     }
 }

@@ -21,7 +21,8 @@ describe('23 stick and slip', () => {
     const { id: name, experiments } = hardCase('stick-and-slip')
     const [base] = experiments as [Experiment]
     const truth = exactMotion(base)
-    const off = (experiment: Experiment) => Math.abs(last(simulate(experiment).s) - exact(base, 20).s)
+    const off = (experiment: Experiment) =>
+      Math.abs(last(simulate(experiment).s) - exact(base, 20).s)
     for (const { id } of secondOrder) {
       // Up to the first release it rides whatever the method; later the methods' own errors shift the riding.
       const run = simulate({ ...base, integrator: id, ...steady(240) })

@@ -1,6 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import { energyResidual, frameRateSpread, paperMethod } from '../../src/measure/index.ts'
-import { exact, integrators, parseExperiment, simulate, traceFrame } from '../../src/physics/index.ts'
+import {
+  exact,
+  integrators,
+  parseExperiment,
+  simulate,
+  traceFrame,
+} from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { measured, published } from './measured.ts'
 import { hardCase, largest, last } from './support.ts'
@@ -10,25 +16,28 @@ const controlled = ['velocity-verlet', 'rk4', 'rk8'] as const
 describe('25 the tolerance asked for', () => {
   const { id: name, experiments } = hardCase('to-tolerance-in-every-scene')
 
-  it.each(experiments)('$scene: the spread is what was asked, ten times at the most', (experiment) => {
-    const { duration } = parseExperiment(experiment)
-    for (const integrator of controlled)
-      for (const [claim, tolerance] of [
-        ['1e-3', 1e-3],
-        ['1e-6', 1e-6],
-        ['1e-9', 1e-9],
-      ] as const) {
-        const { agree, distance } = frameRateSpread({
-          ...experiment,
-          integrator,
-          timestep: { kind: 'tolerance', tolerance },
-        })
-        expect(agree).toBe(true)
-        measured(name, claim, [experiment.scene, integrator], distance / (tolerance * duration), {
-          atMost: 10,
-        })
-      }
-  })
+  it.each(experiments)(
+    '$scene: the spread is what was asked, ten times at the most',
+    (experiment) => {
+      const { duration } = parseExperiment(experiment)
+      for (const integrator of controlled)
+        for (const [claim, tolerance] of [
+          ['1e-3', 1e-3],
+          ['1e-6', 1e-6],
+          ['1e-9', 1e-9],
+        ] as const) {
+          const { agree, distance } = frameRateSpread({
+            ...experiment,
+            integrator,
+            timestep: { kind: 'tolerance', tolerance },
+          })
+          expect(agree).toBe(true)
+          measured(name, claim, [experiment.scene, integrator], distance / (tolerance * duration), {
+            atMost: 10,
+          })
+        }
+    },
+  )
 
   it('Runge–Kutta 8 takes a second of half-pipe in 2500 evaluations', () => {
     const pipe = experiments.find(({ scene }) => scene === 'half-pipe')!

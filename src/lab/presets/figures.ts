@@ -104,8 +104,8 @@ const rows: readonly (readonly [id: string, label: string, watch: string, addres
   [
     'step-to-tolerance',
     'Steps to tolerance',
-    'In the strip under the time: steps crowd where the block is quick.',
-    'scene=half-pipe&muStatic=0&muKinetic=0&position=3&radius=2&duration=4&runners=1/tolerance(tolerance:0.0001)/rk4',
+    'In the strip under the time: steps crowd where the ball is quick.',
+    'scene=fall&drag=2&speed=12&position=0&duration=2&runners=1/tolerance(tolerance:0.0001)/rk4',
   ],
   [
     'break-it',

@@ -62,7 +62,8 @@ export const crestAndBelt: readonly HardCase[] = [
     id: 'ten-thousand-cycles',
     group: 23,
     label: 'Ten thousand cycles of stick and slip',
-    watch: 'After nearly three hours the block sticks and slips at the instants of the closed form.',
+    watch:
+      'After nearly three hours the block sticks and slips at the instants of the closed form.',
     experiments: [{ ...riding, duration: 10140 }],
   },
   {

@@ -32,7 +32,8 @@ export const tolerances: readonly HardCase[] = [
     id: 'to-tolerance-in-every-scene',
     group: 25,
     label: 'To a nanometre a second, in every scene',
-    watch: 'Steps of any length that the error asks for: every scene is the same at any frame rate.',
+    watch:
+      'Steps of any length that the error asks for: every scene is the same at any frame rate.',
     experiments: [
       { scene: 'fall', parameters: { drag: 0.1 }, ...tight },
       { scene: 'ramp', parameters: { speed: -5 }, ...tight },

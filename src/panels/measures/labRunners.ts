@@ -52,7 +52,16 @@ export function labRunners(
     const { kind: outcome } = trajectory.outcome
     const whole = (outcome === 'moving' || outcome === 'at-rest') && Number.isFinite(error)
     const runner = { name, paletteIndex, apart }
-    const point = { method, by: 'rate', setting: rate, cost, error, outcome, whole, runner } as const
+    const point = {
+      method,
+      by: 'rate',
+      setting: rate,
+      cost,
+      error,
+      outcome,
+      whole,
+      runner,
+    } as const
     return { name, paletteIndex, why, point }
   })
 }

@@ -1,7 +1,12 @@
 import { describe, expect, test } from 'vitest'
 import { costKinds, diagramCurves } from '../../../src/panels/measures/points.ts'
 import { layOut, nearestSpot } from '../../../src/panels/measures/diagramLayout.ts'
-import { advice, leastError, pointName, pointWords } from '../../../src/panels/measures/diagramWords.ts'
+import {
+  advice,
+  leastError,
+  pointName,
+  pointWords,
+} from '../../../src/panels/measures/diagramWords.ts'
 import { decadeText, roughSize, sizeText } from '../../../src/chart/magnitudes.ts'
 import { logScale } from '../../../src/chart/axis.ts'
 import { sweep, sweepMethods, sweepRates, sweepTolerances } from '../../../src/measure/index.ts'
