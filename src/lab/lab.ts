@@ -10,6 +10,7 @@ import { modeButtons, sceneTabs } from './choices.ts'
 import { linkProblems, presetNote } from './notices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
+import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
 import type { Preset } from './presets/preset.ts'
@@ -60,6 +61,7 @@ export abstract class Lab extends LitElement implements LabView {
   declare private panels: Panels | undefined
   readonly playback = new Playback(this)
   readonly history = new LabHistory(this)
+  private readonly openingRun = new OpeningRun(this, this.playback)
   private readonly earlyPress = new EarlyPress(this)
   private readonly simulation = new Simulation()
   private readonly sceneName = freshId('scene')
@@ -82,6 +84,7 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   set state(state: LabState) {
+    this.openingRun.end()
     this.panels?.glide.end()
     this.preset = undefined
     this.simulated = this.simulation.run(state)
@@ -177,6 +180,12 @@ export abstract class Lab extends LitElement implements LabView {
     await super.scheduleUpdate()
   }
 
+  override firstUpdated(): void {
+    const isLink = location.hash.includes('=')
+    if (this.hasAttribute('linked') && !this.compact && !isLink)
+      this.openingRun.playWhenSeen(this.querySelector('slide-stage')!)
+  }
+
   override updated(changed: PropertyValues): void {
     this.tellLater()
     if (changed.has('compact') || !this.loading) this.loading = this.bring(this.compact)
@@ -234,7 +243,9 @@ export abstract class Lab extends LitElement implements LabView {
             ? nothing
             : html`<div class="masthead">${sceneTabs(this, this.sceneName)} ${tools(this)}</div>`
         }
-        <div class="opening">${modeButtons(this)} ${spreadNumber(this)}</div>
+        <div class="opening">
+          ${modeButtons(this)} ${spreadNumber(this, this.openingRun.counted)}
+        </div>
         ${presetNote(this)}
         <slide-stage
           part="stage"

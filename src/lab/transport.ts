@@ -29,11 +29,11 @@ export function transport({ simulated, playback }: LabView) {
         act: () => playback.toggle(),
         className: 'play',
       })}
-      ${iconButton('on', { label: 'One frame on (→)', act: () => playback.stepFrames(1) })}
+      ${iconButton('on', { label: 'One frame forward (→)', act: () => playback.stepFrames(1) })}
       ${iconButton('end', { label: 'To the end (End)', act: () => playback.toEnd() })}
     </div>
     <select
-      aria-label="Playing speed"
+      aria-label="Playback speed"
       @change=${(event: Event) => {
         playback.speed = speeds[(event.target as HTMLSelectElement).selectedIndex]![0]
       }}

@@ -28,7 +28,7 @@ export interface ForceVectors {
   /** The sum divided by the mass [m/s²]. */
   acceleration: Vector
   /** Whether friction holds the block, brakes it, or does not act: there is none, or the stopping rule leaves it out. */
-  rubbing: 'held' | 'sliding' | 'none'
+  frictionKind: 'held' | 'sliding' | 'none'
 }
 
 /**
@@ -71,6 +71,6 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
     other,
     sum,
     acceleration: times(1 / law.mass, sum),
-    rubbing: held ? 'held' : law.muStatic > 0 && slip !== 0 ? 'sliding' : 'none',
+    frictionKind: held ? 'held' : law.muStatic > 0 && slip !== 0 ? 'sliding' : 'none',
   }
 }

@@ -1,7 +1,7 @@
 import * as Plot from '@observablehq/plot'
 import { byHand, ours, recorded } from '../engines/index.ts'
 import type { Report } from '../schema/index.ts'
-import { metres, nanoseconds, times } from '../text/figures.ts'
+import { metres, nanoseconds, times } from '../text/numbers.ts'
 import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
 import type { Drawing } from './draw.ts'
 

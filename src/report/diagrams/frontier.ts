@@ -1,6 +1,6 @@
 import * as Plot from '@observablehq/plot'
 import type { Frontier, WorkCurve } from '../schema/index.ts'
-import { metres, nanoseconds, plain } from '../text/figures.ts'
+import { metres, nanoseconds, plain } from '../text/numbers.ts'
 import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
 import type { Drawing } from './draw.ts'
 

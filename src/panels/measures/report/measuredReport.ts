@@ -31,7 +31,7 @@ class MeasuredReport extends LitElement {
   override render() {
     const { report, problem } = this
     return html`<details class="measured" @toggle=${this.toggled}>
-      <summary>What we measured: this project beside physics engines and handwritten loops</summary>
+      <summary>Measurements: this project beside physics engines and handwritten loops</summary>
       ${problem ? html`<p role="alert">${problem}</p>` : nothing}
       ${report ? this.content(report) : nothing}
       ${!report && !problem && this.asked ? html`<p class="soft">Loading …</p>` : nothing}
