@@ -71,7 +71,7 @@ function drawPath(surface: DrawingSurface, { runs }: Surface): void {
   const { context, width, height, palette } = surface
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, width, height)
-  const box = { left: 46, right: width - 22, top: 30, bottom: height - 12 }
+  const box = { left: 46, right: width - 22, top: 30, bottom: height - 26 }
   const run = runs[0]!
   const graph = graphIn(box, [0, DURATION], [1.05 * run.s[run.frames]!, 0])
   drawAxes(context, graph, { up: 'depth, m' }, palette)

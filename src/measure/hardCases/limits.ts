@@ -107,7 +107,7 @@ export const limitsClaims: Readonly<Record<string, Claims>> = {
     },
     naive: {
       what: 'On 45°, naive stops: how far it moves in an hour',
-      why: 'the paper’s formula has no friction at rest, and a step of ½ g Δt² or more is taken before it has any',
+      why: 'the paper’s formula has no friction at rest: gravity moves it first, or rounding does',
       unit: 'm',
       failure: 'creeps',
     },

@@ -130,8 +130,8 @@ class SpeedDiagram extends LitElement {
       ? html`<b>${pointName(spot.point)}</b>: ${this.words(spot.point)}.
           ${spot.point.runner ? nothing : html`<span class="soft">Click to see it in the lab.</span>`}`
       : html`<span class="soft"
-          >Further down is better, further left is cheaper; the grey band joins the best. Point at a
-          mark to read it.</span
+          >Further down is better, further left is cheaper; the grey band joins the best. Dashed
+          lines choose their steps, to a tolerance. Point at a mark to read it.</span
         >`
   }
 
