@@ -23,7 +23,7 @@ export const stepToTolerance = figure({
   controls: {
     exponent: {
       type: 'number',
-      label: 'Tolerance, as a power of ten of a metre a second',
+      label: 'Power of ten',
       symbol: 'n',
       from: -9,
       to: -3,

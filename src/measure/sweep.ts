@@ -101,18 +101,19 @@ function experimentAt(request: SweepRequest, { method, by }: Settings, setting: 
   return (by === 'rate' ? sweptExperiment : tolerantExperiment)(request, method, setting)
 }
 
-/** The curves of a sweep: by rate and, for tolerances that a method of its order can reach, by tolerance. */
+/** The curves of a sweep: all by rate and, for tolerances that a method of its order can reach, all by tolerance. */
 export function curvesOf({ methods, rates, tolerances }: SweepRequest): Settings[] {
-  return methods.flatMap((method) => {
+  const byTolerance = methods.map((method) => {
     const { order, orderWithSpeed }: Integrator = integrators.find(({ id }) => id === method)!
     const least = SHORTEST ** Math.min(order, orderWithSpeed)
     // A power of ten is rounded, and so is this.
-    const within = tolerances.filter((tolerance) => tolerance >= 0.99 * least)
-    const byRate = { method, by: 'rate', settings: rates } as const
-    return within.length > 0
-      ? [byRate, { method, by: 'tolerance', settings: within } as const]
-      : [byRate]
+    const settings = tolerances.filter((tolerance) => tolerance >= 0.99 * least)
+    return { method, by: 'tolerance', settings } as const
   })
+  return [
+    ...methods.map((method) => ({ method, by: 'rate', settings: rates }) as const),
+    ...byTolerance.filter(({ settings }) => settings.length > 0),
+  ]
 }
 
 /**

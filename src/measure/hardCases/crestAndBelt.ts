@@ -144,7 +144,7 @@ export const crestAndBeltClaims: Readonly<Record<string, Claims>> = {
   },
   'take-off-beyond-the-top': {
     place: {
-      what: 'To a tolerance of 10⁻⁹ m/s, Verlet, Runge–Kutta 4 and 8, 5 to 240 fps: place, off from cos θ = ⅔ + v²/(3 g R) by',
+      what: 'To a tolerance of 10⁻⁹ m/s, Verlet, Runge–Kutta 4 and 8, 5 to 240 fps: place, off from cos θ = (2 + v²/(g R))/3 by',
       why: 'ten times the tolerance for the second that it takes',
       unit: 'm',
     },
