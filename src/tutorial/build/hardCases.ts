@@ -24,7 +24,7 @@ export function hardCasesHtml(env: Env, line: number): string {
     const id = `hard-cases-${name.toLowerCase().replaceAll(' ', '-')}`
     env.book.give(id, placeOf(env, line))
     const claims = cases.flatMap((each) => Object.keys(hardCaseClaims[each.id]!)).length
-    return `<details><summary><h3 id="${id}"><a href="#${id}">${escaped(name)}</a></h3>
+    return `<details><summary><h3 id="${id}">${escaped(name)}</h3>
 <span class="counts">${cases.length} cases, ${claims} numbers</span></summary>
 <div class="table"${label}><table>
 <thead><tr><th scope="col">Quantity</th><th scope="col">Bound</th><th scope="col">Measured</th></tr></thead>
