@@ -9,6 +9,7 @@ import { paint } from './paint.ts'
 import { PaletteReader } from './palette.ts'
 import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
+import { viewOf } from './scenes.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
 import { endOf, rowAt } from './timeline.ts'
@@ -94,11 +95,11 @@ export class Stage {
 }
 
 /**
- * All that time changes in the blocks of a picture, as numbers: at two times with the same numbers they look the same.
+ * All that time changes in the blocks of a picture and in a belt, as numbers: at two times with the same numbers they look the same.
  * Forces are not among them.
  */
-function cacheKeyAt({ runners, exact, time }: Picture): number[] {
-  const numbers = [exact(time, { s: 0, v: 0 }).s]
+function cacheKeyAt({ scene, runners, exact, time }: Picture): number[] {
+  const numbers = [exact(time, { s: 0, v: 0 }).s, viewOf(scene).speed ? time : 0]
   for (const { trajectory, goal } of runners) {
     const row = rowAt(trajectory, time)
     const end = endOf(trajectory)
