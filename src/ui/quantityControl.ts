@@ -165,7 +165,10 @@ class QuantityControl extends LitElement {
   }
 
   private readonly pressed = (event: KeyboardEvent): void => {
-    if (event.key === 'Escape') this.settle()
+    if (event.key === 'Escape' && this.draft !== undefined) {
+      event.preventDefault()
+      this.settle()
+    }
     if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return
     event.preventDefault()
     const { min, max, slider } = this.quantity

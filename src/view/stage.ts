@@ -1,4 +1,4 @@
-import { penOf } from '../chart/pen.ts'
+import { penOf, pixelRatio } from '../chart/pen.ts'
 import { forgetWidths } from '../chart/text.ts'
 import { Backdrop } from './backdrop.ts'
 import { dragged } from './drag.ts'
@@ -36,14 +36,14 @@ export class Stage {
   }
 
   /**
-   * Draws at the canvas's CSS size and the window's pixel ratio. What only the time has changed is quick to draw, and what
+   * Draws at the canvas's CSS size and at the pixels that it covers. What only the time has changed is quick to draw, and what
    * it has not changed is not drawn.
    *
    * @param forces what draws the picture's forces, once it is loaded
    */
   draw(picture: Picture, forces?: ForceDrawing): void {
     const { frozen, made, shown } = this
-    const ratio = window.devicePixelRatio
+    const ratio = pixelRatio(this.canvas)
     const isKept = made?.frozen === frozen && made.ratio === ratio
     if (isKept && shown && isSameButTime(picture, shown.picture)) {
       const before = this.cacheKey
