@@ -53,9 +53,14 @@ export class SlideStage extends LitElement {
       this.stage.refresh()
       this.requestUpdate()
     }
+    const recolour = () => {
+      redraw()
+      // At once: before it prints, Firefox runs no microtask.
+      if (this.hasUpdated) this.draw()
+    }
     const sizes = new ResizeObserver(redraw)
     sizes.observe(this.canvas)
-    const stopThemes = onThemeChange(redraw)
+    const stopThemes = onThemeChange(recolour)
     document.fonts.addEventListener('loadingdone', redraw)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {

@@ -58,13 +58,18 @@ class FigurePicture extends LitElement {
       forgetWidths()
       this.requestUpdate()
     }
+    const recolour = () => {
+      redraw()
+      // At once: before it prints, Firefox runs no microtask.
+      if (this.hasUpdated) this.draw()
+    }
     const sizes = new ResizeObserver(([entry]) => {
       const { width, height } = entry!.contentRect
       this.size = { width, height }
       redraw()
     })
     sizes.observe(this)
-    const stopThemes = onThemeChange(redraw)
+    const stopThemes = onThemeChange(recolour)
     document.fonts.addEventListener('loadingdone', redraw)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {

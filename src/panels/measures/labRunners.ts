@@ -59,7 +59,7 @@ export function labRunners(
 /** Why a run can't be held against the curves, whose steps are all of one length and whose seconds are the clock’s. */
 function whyNot({ experiment, lostTime }: Trajectory, { duration }: Shared): string {
   const { timestep, frames } = experiment
-  if (experiment.duration > duration) return `it runs longer than the curves’ ${duration}\u2009s`
+  if (experiment.duration > duration) return `it runs longer than the curves’ ${duration}\u202fs`
   const rate = 'fps' in frames ? frames.fps : NaN
   // Rounding aside, a step that is a frame's is the frame's time.
   const astray = timestep.kind === 'per-frame' && !(Math.abs(timestep.step * rate - 1) < 1e-9)

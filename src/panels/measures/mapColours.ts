@@ -51,7 +51,7 @@ export function mapLegend(cells: MapCells, dark: boolean, limit: string) {
         ${ticks.map(
           (exponent, i) =>
             html`<span .style="left: ${(100 * i) / (ticks.length - 1)}%"
-              >${(high - exponent) % every === 0 ? `${exponent === HIGHEST ? '≥\u2009' : ''}${decadeText(exponent)}` : nothing}</span
+              >${(high - exponent) % every === 0 ? `${exponent === HIGHEST ? '≥\u202f' : ''}${decadeText(exponent)}` : nothing}</span
             >`,
         )}
       </div>

@@ -25,7 +25,7 @@ export interface PlotQuantity {
   readonly logarithmic?: true
 }
 
-const thin = '\u2009'
+const thin = '\u202f'
 
 /** Where each frame shows the block [m]. */
 export const shownPosition: PlotQuantity = {

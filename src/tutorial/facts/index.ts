@@ -25,7 +25,7 @@ const all = {
 export const facts: Readonly<Record<string, () => string>> = Object.fromEntries(
   Object.entries<Fact>(all).map(([name, { value, show }]) => [
     name,
-    () => show(value()).replaceAll('\u2009', '\u202f'),
+    () => show(value()).replaceAll('\u202f', '\u202f'),
   ]),
 )
 

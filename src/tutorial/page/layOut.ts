@@ -1,3 +1,5 @@
+import { themeChanged } from '../../ui/theme.ts'
+
 /** The class of a section that is laid out for good: `reading.css` leaves the others until they come near. */
 const LAID_OUT = 'laid-out'
 
@@ -14,6 +16,7 @@ export function layOutInTurn(sections: readonly HTMLElement[]): void {
   if (target) {
     for (const section of sections) section.classList.add(LAID_OUT)
     target.scrollIntoView()
+    holdInPlace(target)
     return
   }
   const [first, ...others] = sections
@@ -24,6 +27,31 @@ export function layOutInTurn(sections: readonly HTMLElement[]): void {
   })
 }
 
+/** What a reader does who takes the page into their own hands. */
+const TAKES_OVER = ['wheel', 'touchstart', 'pointerdown', 'keydown'] as const
+
+/**
+ * Keeps an element where it stands in the window, whatever grows above it, until the reader does something: the lab gets
+ * its panels later, and Safari does not anchor the page's scrolling.
+ */
+function holdInPlace(element: Element): void {
+  const { style } = document.documentElement
+  const { top } = element.getBoundingClientRect()
+  // Sizes are observed before anything is painted, so that nothing is seen to move.
+  const observer = new ResizeObserver(() =>
+    scrollBy({ top: element.getBoundingClientRect().top - top, behavior: 'instant' }),
+  )
+  const letGo = () => {
+    observer.disconnect()
+    style.overflowAnchor = ''
+    for (const type of TAKES_OVER) removeEventListener(type, letGo)
+  }
+  // Two that hold it would each move the page.
+  style.overflowAnchor = 'none'
+  observer.observe(document.body)
+  for (const type of TAKES_OVER) addEventListener(type, letGo, { passive: true })
+}
+
 /** Paper is light, whatever the page was switched to. */
 export function lightOnPaper(): void {
   const { dataset } = document.documentElement
@@ -31,9 +59,11 @@ export function lightOnPaper(): void {
   addEventListener('beforeprint', () => {
     theme = dataset.theme
     dataset.theme = 'light'
+    themeChanged()
   })
   addEventListener('afterprint', () => {
     if (theme === undefined) delete dataset.theme
     else dataset.theme = theme
+    themeChanged()
   })
 }
