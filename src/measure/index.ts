@@ -42,6 +42,6 @@ export {
   TIMED_ROUNDS,
 } from './sweep.ts'
 export type { SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
-export { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
+export { evaluationsPerSecond, nanosecondsPerSecond, tickOf } from './work.ts'
 export type { Clock } from './work.ts'
 export { withParameters } from './withParameters.ts'

@@ -3,7 +3,7 @@ import type { Experiment, IntegratorId, Outcome } from '../physics/index.ts'
 import { presentationErrorSizes } from './error.ts'
 import { fittedOrder } from './order.ts'
 import { scaleOf, withoutRounding } from './rounding.ts'
-import { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
+import { evaluationsPerSecond, nanosecondsPerSecond, tickOf } from './work.ts'
 import type { Clock } from './work.ts'
 
 /** What is swept: methods × step lengths, everything else as in the experiment. */
@@ -30,10 +30,13 @@ export interface SweepCurve {
   readonly scale: number
 }
 
-/** How long a simulated second takes with a method, a number for each rate [ns]. */
+/** How long a simulated second takes with a method, numbers for each rate [ns]. */
 export interface TimedCurve {
   readonly method: IntegratorId
+  /** The least of the rounds so far: what the work takes undisturbed. */
   readonly nanoseconds: Float64Array
+  /** The most of them. */
+  readonly slowest: Float64Array
 }
 
 export const outcomeKinds: readonly Outcome['kind'][] = [
@@ -53,6 +56,9 @@ export const sweepMethods: readonly IntegratorId[] = integrators.map(({ id }) =>
 
 /** How often the time of each point is taken: the least of them counts. */
 export const TIMED_ROUNDS = 6
+
+/** A clock that ticks more seldom is not worth waiting for [ms]: a sweep would take a quarter of an hour. */
+const COARSEST_TICK = 2
 
 /** An order is fitted to the finest so many points above rounding, and to no fewer than three. */
 const FITTED = 6
@@ -95,23 +101,37 @@ export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined>
  * Takes the time of each point of a sweep, method by method, and all of it again: what disturbs one round does not
  * disturb the next in the same place. It yields as `sweep` does, each curve as often as there are rounds.
  *
- * @throws ExperimentError for an experiment that can't be run
+ * @throws ExperimentError for an experiment that can't be run, RangeError where the clock is too coarse
  */
 export function* timedSweep(
   request: SweepRequest,
   clock: Clock,
 ): Generator<TimedCurve | undefined> {
   const { methods, rates } = request
-  const least = methods.map(() => new Float64Array(rates.length).fill(Infinity))
+  const tick = tickOf(clock)
+  if (tick > COARSEST_TICK) throw new RangeError(coarseClock(tick))
+  const column = (value: number) => methods.map(() => new Float64Array(rates.length).fill(value))
+  const least = column(Infinity)
+  const most = column(0)
   for (let round = 0; round < TIMED_ROUNDS; round++)
     for (const [m, method] of methods.entries()) {
       const nanoseconds = least[m]!
+      const slowest = most[m]!
       for (const [i, rate] of rates.entries()) {
         const experiment = sweptExperiment(request, method, rate)
-        nanoseconds[i] = Math.min(nanoseconds[i]!, nanosecondsPerSecond(experiment, clock))
-        yield i === rates.length - 1 ? { method, nanoseconds: nanoseconds.slice() } : undefined
+        const taken = nanosecondsPerSecond(experiment, clock, tick)
+        nanoseconds[i] = Math.min(nanoseconds[i]!, taken)
+        slowest[i] = Math.max(slowest[i]!, taken)
+        yield i === rates.length - 1
+          ? { method, nanoseconds: nanoseconds.slice(), slowest: slowest.slice() }
+          : undefined
       }
     }
+}
+
+function coarseClock(tick: number): string {
+  const how = Number.isFinite(tick) ? `ticks only every ${tick.toFixed(1)}\u202fms` : 'stands'
+  return `This browser’s clock ${how}, too coarse to time a run. Evaluations are shown instead.`
 }
 
 /** A point stands for a whole run: one that left the track or blew up, or has no truth to be held to, does not count. */

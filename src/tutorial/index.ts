@@ -2,7 +2,7 @@ import { copyButton, reachable } from './page/code.ts'
 import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
 import { followLinks, highlight } from './page/figures.ts'
-import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
+import { layOutInTurn } from './page/layOut.ts'
 import { tabs } from './page/tabs.ts'
 
 /* The text is there without any of this. */
@@ -20,5 +20,4 @@ all('.dial').forEach(dial)
 all('.code').forEach(copyButton)
 all('.take-home').forEach(tabs)
 reachable(all(':is(pre, .equation, .table)'))
-lightOnPaper()
 layOutInTurn(all('.text > section'))

@@ -43,16 +43,17 @@ export function labRunners(
     const why = whyNot(trajectory, shared) || (timed && !isTimed ? 'its time is not taken' : '')
     if (why) return { name, paletteIndex, why, point: undefined }
     const curve = timed?.find((each) => each.method === method)
-    const cost = timed
-      ? (curve?.points.find((point) => point.rate === rate)?.cost ?? NaN)
-      : evaluationsPerSecond(trajectory)
+    const same = curve?.points.find((point) => point.rate === rate)
+    const cost = timed ? (same?.cost ?? NaN) : evaluationsPerSecond(trajectory)
+    const mostCost = same?.mostCost
     const largest = errors.get(trajectory) ?? presentationErrorSizes(trajectory).largest
     errors.set(trajectory, largest)
     const error = withoutRounding(largest, scaleOf(trajectory.experiment).length)
     const { kind: outcome } = trajectory.outcome
     const whole = (outcome === 'moving' || outcome === 'at-rest') && Number.isFinite(error)
     const runner = { name, paletteIndex, apart }
-    return { name, paletteIndex, why, point: { method, rate, cost, error, outcome, whole, runner } }
+    const point = { method, rate, cost, mostCost, error, outcome, whole, runner }
+    return { name, paletteIndex, why, point }
   })
 }
 

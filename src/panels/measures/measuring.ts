@@ -159,6 +159,8 @@ export function progress(measuring: Measuring) {
         ? html`<button type="button" @click=${() => measuring.again()}>Measure</button>`
         : nothing
     }
-    <p role="status" tabindex="-1">${[problem, notice, stopped ? 'Cancelled.' : ''].filter(Boolean).join(' ')}</p>
+    <p role="status" tabindex="-1">
+      ${[problem, notice, stopped ? 'Cancelled.' : ''].filter(Boolean).join(' ')}
+    </p>
   </div>`
 }

@@ -61,11 +61,15 @@ export function curvesAt(
   swept: Curves<SweepCurve>,
   timed: Curves<TimedCurve>,
 ): DiagramCurve[] {
-  return diagramCurves([...swept.values()], sweepRates, (curve) =>
-    cost === 'evaluations'
-      ? curve.evaluations
-      : timed.key === swept.key
-        ? timed.get(curve.method)?.nanoseconds
-        : undefined,
+  const curves = [...swept.values()]
+  if (cost === 'evaluations')
+    return diagramCurves(curves, sweepRates, ({ evaluations }) => evaluations)
+  const times = ({ method }: SweepCurve) =>
+    timed.key === swept.key ? timed.get(method) : undefined
+  return diagramCurves(
+    curves,
+    sweepRates,
+    (curve) => times(curve)?.nanoseconds,
+    (curve) => times(curve)?.slowest,
   )
 }

@@ -23,10 +23,7 @@ const all = {
 
 /** The numbers of the prose by name, written as people read them; a number and its unit stay on one line. */
 export const facts: Readonly<Record<string, () => string>> = Object.fromEntries(
-  Object.entries<Fact>(all).map(([name, { value, show }]) => [
-    name,
-    () => show(value()).replaceAll('\u202f', '\u202f'),
-  ]),
+  Object.entries<Fact>(all).map(([name, { value, show }]) => [name, () => show(value())]),
 )
 
 /** The same as numbers, in SI units. */

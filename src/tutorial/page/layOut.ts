@@ -1,5 +1,3 @@
-import { themeChanged } from '../../ui/theme.ts'
-
 /** The class of a section that is laid out for good: `reading.css` leaves the others until they come near. */
 const LAID_OUT = 'laid-out'
 
@@ -50,20 +48,4 @@ function holdInPlace(element: Element): void {
   style.overflowAnchor = 'none'
   observer.observe(document.body)
   for (const type of TAKES_OVER) addEventListener(type, letGo, { passive: true })
-}
-
-/** Paper is light, whatever the page was switched to. */
-export function lightOnPaper(): void {
-  const { dataset } = document.documentElement
-  let theme: string | undefined
-  addEventListener('beforeprint', () => {
-    theme = dataset.theme
-    dataset.theme = 'light'
-    themeChanged()
-  })
-  addEventListener('afterprint', () => {
-    if (theme === undefined) delete dataset.theme
-    else dataset.theme = theme
-    themeChanged()
-  })
 }

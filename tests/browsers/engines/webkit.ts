@@ -87,7 +87,10 @@ async function tabOf(driver: string, processes: readonly ChildProcess[]): Promis
       await call('POST', `${session}/frame`, { id: 0 })
     },
     run: async (given, ...args) => {
-      const result = (await script(RUN(given.toString()), args)) as { value?: never; error?: string }
+      const result = (await script(RUN(given.toString()), args)) as {
+        value?: never
+        error?: string
+      }
       if (result.error !== undefined) throw new Error(result.error)
       return result.value as never
     },
