@@ -6,7 +6,7 @@ export default defineConfig({
   root: resolve(import.meta.dirname, '../..'),
   test: {
     include: ['tests/browsers/**/*.test.ts'],
-    globalSetup: 'tests/browsers/setup.ts',
+    globalSetup: resolve(import.meta.dirname, 'setup.ts'),
     // Each file starts three browsers.
     maxWorkers: 1,
     testTimeout: 120_000,
