@@ -40,6 +40,14 @@ export default defineConfig({
               tags: ['$initial'],
               test: /\/(src\/(?!physics|measure|tutorial|panels\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
             },
+            // What a figure on somebody's page loads besides: less than a whole lab does.
+            { name: 'address', test: /\/src\/lab\/(addressLink|site|state\/address)\./ },
+            { name: 'strip', test: /\/src\/(panels\/strip\/|lab\/glide\.)/ },
+            // The worker has it too, and can have nothing that draws.
+            { name: 'error', test: /\/src\/measure\/error\./ },
+            // What a whole lab has is there before any figure comes alive: they share it from here.
+            { name: 'instruments', test: /\/src\/panels\/instruments\./ },
+            { name: 'figures', test: /\/src\/figures\/(all|element\/live)\./ },
           ],
         },
       },

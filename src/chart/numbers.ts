@@ -1,5 +1,5 @@
 /**
- * Numbers as people read and type them: a true minus sign, never more digits than can be seen, thin spaces before units.
+ * Numbers as people read them: a true minus sign, never more digits than can be seen, thin spaces before units.
  */
 
 const minus = '−'
@@ -94,19 +94,6 @@ function withUnit(value: number, unit: string): string {
 /** “⁻¹²”. */
 export function superscript(exponent: number): string {
   return String(exponent).replace(/[-\d]/g, (c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)]!))
-}
-
-const decimal = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i
-
-/** The number that a text stands for: a decimal, `1e-3`, or a fraction as `1/60`; undefined where it is none. */
-export function readNumber(text: string): number | undefined {
-  const parts = text
-    .replaceAll(minus, '-')
-    .split('/')
-    .map((part) => part.trim())
-  if (parts.length > 2 || !parts.every((part) => decimal.test(part))) return undefined
-  const [numerator, denominator = '1'] = parts
-  return Number(numerator) / Number(denominator)
 }
 
 /** The shortest text that `readNumber` turns into the very same number: `1/60` instead of seventeen digits. */

@@ -1,19 +1,41 @@
-/* All figures, in the order of the tutorial: what is loaded when the first of them comes near. */
-export { fallingBall } from './fallingBall.ts'
-export { forcesOnSlope } from './forcesOnSlope.ts'
-export { massCancels } from './massCancels.ts'
-export { criticalAngle } from './criticalAngle.ts'
-export { twoBecomeOne } from './twoBecomeOne.ts'
-export { areaUnderV } from './areaUnderV.ts'
-export { whereDoesItStop } from './whereDoesItStop.ts'
-export { chatter } from './chatter.ts'
-export { threeStops } from './threeStops.ts'
-export { framesAndTicks } from './framesAndTicks.ts'
-export { hitch } from './hitch.ts'
-export { yourFrames } from './yourFrames.ts'
-export { halfPipeEnergy } from './halfPipeEnergy.ts'
-export { springLimit } from './springLimit.ts'
-export { flungOut } from './flungOut.ts'
-export { speedAgainstError } from './speedAgainstError.ts'
-export { paperStep } from './paperStep.ts'
-export { breakIt } from './breakIt.ts'
+import { fallingBall } from './fallingBall.ts'
+import { forcesOnSlope } from './forcesOnSlope.ts'
+import { massCancels } from './massCancels.ts'
+import { criticalAngle } from './criticalAngle.ts'
+import { twoBecomeOne } from './twoBecomeOne.ts'
+import { areaUnderV } from './areaUnderV.ts'
+import { whereDoesItStop } from './whereDoesItStop.ts'
+import { chatter } from './chatter.ts'
+import { threeStops } from './threeStops.ts'
+import { framesAndTicks } from './framesAndTicks.ts'
+import { hitch } from './hitch.ts'
+import { yourFrames } from './yourFrames.ts'
+import { halfPipeEnergy } from './halfPipeEnergy.ts'
+import { springLimit } from './springLimit.ts'
+import { flungOut } from './flungOut.ts'
+import { speedAgainstError } from './speedAgainstError.ts'
+import { paperStep } from './paperStep.ts'
+import { breakIt } from './breakIt.ts'
+import type { Figure } from './shared/figure.ts'
+
+/** All figures, in the order of the tutorial: what is loaded when the first of them comes near. */
+export const all: readonly Figure[] = [
+  fallingBall,
+  forcesOnSlope,
+  massCancels,
+  criticalAngle,
+  twoBecomeOne,
+  areaUnderV,
+  whereDoesItStop,
+  chatter,
+  threeStops,
+  framesAndTicks,
+  hitch,
+  yourFrames,
+  halfPipeEnergy,
+  springLimit,
+  flungOut,
+  speedAgainstError,
+  paperStep,
+  breakIt,
+]

@@ -2,6 +2,7 @@ import type { Experiment } from '../physics/index.ts'
 import { spreadOf } from '../measure/index.ts'
 import { lengthText } from '../chart/numbers.ts'
 import { spreadText } from '../lab/state/spreadText.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
 
@@ -17,15 +18,7 @@ export const breakIt = figure({
   pictured:
     'Three blocks kicked up a slope, under steady frames, scattered ones and stalling ones; an outline shows the exact one.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 2,
-      to: 240,
-      step: 1,
-      initial: 15,
-    },
+    fps: rateControl(15, 2, 240),
     scatter: {
       type: 'number',
       label: 'Scatter',

@@ -5,9 +5,10 @@ import { clipTo, dot, drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import type { Graph } from '../chart/graph.ts'
 import { fixed, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 1.5
 const scene = {
@@ -30,15 +31,7 @@ export const chatter = figure({
   pictured:
     'The velocity of the kicked block over time, a dot for every frame, and enlarged below it what happens around its stop.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 5,
-      to: 120,
-      step: 1,
-      initial: 30,
-    },
+    fps: rateControl(30),
     stopping: {
       type: 'choice',
       label: 'Friction',

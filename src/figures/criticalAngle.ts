@@ -77,7 +77,7 @@ export const criticalAngle = figure({
         colour: '--force-gravity',
       },
       {
-        label: 'Most that friction can',
+        label: 'Most that friction can hold',
         text: `${fixed(most, 2)} N`,
         raw: most,
         colour: '--force-friction',

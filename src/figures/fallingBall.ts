@@ -4,9 +4,10 @@ import { clipTo, dot, drawAxes, drawCurve, graphIn, line } from '../chart/graph.
 import { place, plain, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 /** How long it falls [s], and as deep as the picture goes [m]. */
 const DURATION = 1
@@ -26,15 +27,7 @@ export const fallingBall = figure({
   pictured:
     'A ball falls beside the true one; to the right, how far each has fallen over time, a dot for every frame.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 5,
-      to: 120,
-      step: 1,
-      initial: 15,
-    },
+    fps: rateControl(15),
     method: {
       type: 'choice',
       label: 'Every frame',

@@ -1,6 +1,7 @@
 import type { Experiment, Trajectory } from '../physics/index.ts'
 import { fixed, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
@@ -19,15 +20,7 @@ export const flungOut = figure({
   pictured:
     'A block swings in a half-pipe without friction, a little higher each time, until it flies over the edge; a clock counts the seconds.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 10,
-      to: 120,
-      step: 1,
-      initial: 60,
-    },
+    fps: rateControl(60, 10),
   },
   experiments: ({ fps }): Experiment[] => [
     {

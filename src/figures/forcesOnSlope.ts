@@ -70,13 +70,13 @@ export const forcesOnSlope = figure({
     },
   ],
   says: ({ mu }, [run]) => {
-    const { rubbing, sum, normal, friction, along } = forcesIn(run!)
-    if (rubbing === 'held')
+    const { frictionKind, sum, normal, friction, along } = forcesIn(run!)
+    if (frictionKind === 'held')
       return `It stays: friction is as large as it has to be, ${newtons(length(friction))} of the ${newtons(mu * length(normal))} that it could be, and the sum is 0.`
     const { mass } = run!.experiment.parameters
     const a = length(sum) / mass!
     const how =
-      rubbing === 'none'
+      frictionKind === 'none'
         ? 'There is no friction.'
         : `Friction is μ N = ${fixed(mu, 2)} × ${newtons(length(normal))}, against the motion.`
     if (a < 0.005) return `${how} The sum is 0: it keeps its speed.`

@@ -9,12 +9,12 @@ import { seconds } from '../chart/numbers.ts'
 import { widthOf, write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { clockworkOf } from '../lab/state/clockwork.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
-import { stepsOf } from './shared/steps.ts'
-import { roughly } from './shared/words.ts'
+import { stepsOf, roughly } from './shared/readings.ts'
 
 const DURATION = 0.6
 
@@ -33,15 +33,7 @@ export const framesAndTicks = figure({
   pictured:
     'Below, the instants of frames, of physics steps and what the accumulator holds; above, where each frame draws the block, beside the true motion.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 8,
-      to: 90,
-      step: 1,
-      initial: 24,
-    },
+    fps: rateControl(24, 8, 90),
     step: {
       type: 'number',
       label: 'Step',

@@ -5,6 +5,7 @@ import { clipTo, drawAxes, drawCurve, graphIn, line } from '../chart/graph.ts'
 import { plain, seconds } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawRuns } from './shared/scenePanel.ts'
@@ -43,15 +44,7 @@ export const halfPipeEnergy = figure({
   pictured:
     'A block swings in a half-pipe without friction; below, its energy over time for four methods, and the energy at which it flies out.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 8,
-      to: 60,
-      step: 1,
-      initial: 20,
-    },
+    fps: rateControl(20, 8, 60),
     integrator: {
       type: 'choice',
       label: 'Method',

@@ -7,7 +7,7 @@ import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { kick, policies } from './shared/kick.ts'
 import type { PolicyId } from './shared/kick.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 1.4
 const FPS = 60

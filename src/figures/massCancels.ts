@@ -7,8 +7,7 @@ import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { longSlope } from './shared/longSlope.ts'
-import { drawBlock, drawNamedArrows, drawSlope } from './shared/slope.ts'
+import { longSlope, drawBlock, drawNamedArrows, drawSlope } from './shared/slope.ts'
 import { angleControl, arrowFor, forcesOn, muControl } from './shared/tilted.ts'
 
 const DURATION = 1.5

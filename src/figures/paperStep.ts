@@ -4,10 +4,11 @@ import { moved } from '../chart/geometry.ts'
 import type { Point } from '../chart/geometry.ts'
 import { clipTo, dot } from '../chart/graph.ts'
 import { write } from '../chart/text.ts'
+import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawSlope, slopeThrough } from './shared/slope.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 3
 const parameters = { angle: 20, muStatic: 0.5, muKinetic: 0.5, speed: 3 } as const
@@ -35,15 +36,7 @@ export const paperStep = figure({
   pictured:
     'A block that slides down a slope: a dot for every frame of the paper’s step in the plane, and the outline of the exact block, which stops.',
   controls: {
-    fps: {
-      type: 'number',
-      label: 'Frame rate',
-      unit: 'fps',
-      from: 5,
-      to: 120,
-      step: 1,
-      initial: 30,
-    },
+    fps: rateControl(30),
     normalIsVector: makes('normalIsVector', 'N is a vector'),
     unitSlipDirection: makes('unitSlipDirection', 'v̂ has length one'),
     normalInSum: makes('normalInSum', 'N is in the sum'),

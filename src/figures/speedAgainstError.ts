@@ -5,7 +5,7 @@ import { count, metres } from '../chart/numbers.ts'
 import { write } from '../chart/text.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 10
 const RATES = [10, 20, 40, 80, 160, 320] as const

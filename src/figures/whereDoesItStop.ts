@@ -6,9 +6,8 @@ import { write } from '../chart/text.ts'
 import { rowAt } from '../view/timeline.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
-import { drawFlag, drawLongSlope, longSlope } from './shared/longSlope.ts'
-import { drawBlock } from './shared/slope.ts'
-import { roughly } from './shared/words.ts'
+import { drawFlag, drawLongSlope, longSlope, drawBlock } from './shared/slope.ts'
+import { roughly } from './shared/readings.ts'
 
 /** How far up the slope one can bet [m], and how long all runs take [s]. */
 const FAR = 6

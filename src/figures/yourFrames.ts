@@ -6,7 +6,7 @@ import { summarize, summaryText } from '../lab/state/frameTimes.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, Reading, View } from './shared/figure.ts'
 import { kick } from './shared/kick.ts'
-import { roughly } from './shared/words.ts'
+import { roughly } from './shared/readings.ts'
 
 const DURATION = 1
 

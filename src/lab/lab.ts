@@ -2,18 +2,18 @@ import { html, LitElement, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
-import { freshId } from '../ui/freshId.ts'
+import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
 import { EarlyPress } from './earlyPress.ts'
 import type { LabView, OpenPanels, Panels } from './labView.ts'
-import { modeButtons } from './modeButtons.ts'
+import { modeButtons, sceneTabs } from './choices.ts'
 import { linkProblems, presetNote } from './notices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
+import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
-import { shortcut } from './playback/shortcuts.ts'
+import { shortcut, transport } from './transport.ts'
 import type { Preset } from './presets/preset.ts'
-import { sceneTabs } from './sceneTabs.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
 import type { Change } from './state/change.ts'
@@ -23,7 +23,6 @@ import { Simulation } from './state/simulation.ts'
 import type { Simulated } from './state/simulation.ts'
 import type { LabState } from './state/state.ts'
 import { tools } from './tools.ts'
-import { transport } from './transport.ts'
 import { describe } from './words.ts'
 
 /** So long after the last change or frame, and so not while it plays, the picture is told in words [ms]. */
@@ -62,6 +61,7 @@ export abstract class Lab extends LitElement implements LabView {
   declare private panels: Panels | undefined
   readonly playback = new Playback(this)
   readonly history = new LabHistory(this)
+  private readonly openingRun = new OpeningRun(this, this.playback)
   private readonly earlyPress = new EarlyPress(this)
   private readonly simulation = new Simulation()
   private readonly sceneName = freshId('scene')
@@ -84,6 +84,7 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   set state(state: LabState) {
+    this.openingRun.end()
     this.panels?.glide.end()
     this.preset = undefined
     this.simulated = this.simulation.run(state)
@@ -179,6 +180,12 @@ export abstract class Lab extends LitElement implements LabView {
     await super.scheduleUpdate()
   }
 
+  override firstUpdated(): void {
+    const isLink = location.hash.includes('=')
+    if (this.hasAttribute('linked') && !this.compact && !isLink)
+      this.openingRun.playWhenSeen(this.querySelector('slide-stage')!)
+  }
+
   override updated(changed: PropertyValues): void {
     this.tellLater()
     if (changed.has('compact') || !this.loading) this.loading = this.bring(this.compact)
@@ -236,13 +243,16 @@ export abstract class Lab extends LitElement implements LabView {
             ? nothing
             : html`<div class="masthead">${sceneTabs(this, this.sceneName)} ${tools(this)}</div>`
         }
-        <div class="opening">${modeButtons(this)} ${spreadNumber(this)}</div>
+        <div class="opening">
+          ${modeButtons(this)} ${spreadNumber(this, this.openingRun.counted)}
+        </div>
         ${presetNote(this)}
         <slide-stage
           part="stage"
           .playback=${playback}
           .picture=${(time: number) => ({ ...still, time, forces: panels?.forces?.() })}
           .description=${this.spoken}
+          .forceDrawing=${panels?.forceDrawing}
           .change=${(values: Readonly<Record<string, number>>) =>
             this.change({ kind: 'parameters', values })}
         ></slide-stage>

@@ -1,4 +1,5 @@
 import type { ReactiveControllerHost } from 'lit'
+import type { ForceDrawing } from '../view/forces.ts'
 import type { PictureForces } from '../view/picture.ts'
 import type { Glide } from './glide.ts'
 import type { LabHistory } from './labHistory.ts'
@@ -34,6 +35,7 @@ export interface Panels {
   readonly glide: Glide
   /** The forces that the picture shows: undefined while they are switched off. */
   readonly forces?: () => PictureForces | undefined
+  readonly forceDrawing?: ForceDrawing
   readonly presets?: readonly Preset[]
 }
 

@@ -1,10 +1,11 @@
 import { html, LitElement, nothing } from 'lit'
 import type { NumberOption } from '../physics/index.ts'
 import { shownNumber } from '../chart/numbers.ts'
+import type { ForceDrawing } from '../view/forces.ts'
 import type { Handle, HandleId, Picture } from '../view/picture.ts'
 import { Stage } from '../view/stage.ts'
 import { pointIn, valueByKey } from '../ui/input.ts'
-import { onThemeChange } from '../ui/theme.ts'
+import { onRestyle } from '../ui/theme.ts'
 import type { Playback } from './playback/playback.ts'
 
 const purposes: Readonly<Record<HandleId, string>> = {
@@ -19,6 +20,7 @@ const purposes: Readonly<Record<HandleId, string>> = {
  * - `picture`: what it shows at an instant [s]
  * - `playback`: the instant
  * - `description`: the same in words
+ * - `forceDrawing`: what draws its forces; undefined until it is loaded
  * - `change`: called with the parameters that a handle was moved to
  */
 export class SlideStage extends LitElement {
@@ -26,6 +28,7 @@ export class SlideStage extends LitElement {
     picture: { attribute: false },
     playback: { attribute: false },
     description: { attribute: false },
+    forceDrawing: { attribute: false },
     held: { state: true },
     lit: { state: true },
   }
@@ -33,6 +36,7 @@ export class SlideStage extends LitElement {
   declare picture: (time: number) => Omit<Picture, 'held' | 'lit'>
   declare playback: Playback
   declare description: string
+  declare forceDrawing: ForceDrawing | undefined
   /** Not reactive: a fresh closure is no reason to draw again. */
   declare change: (values: Readonly<Record<string, number>>) => void
   declare private held: HandleId | undefined
@@ -60,14 +64,12 @@ export class SlideStage extends LitElement {
     }
     const sizes = new ResizeObserver(redraw)
     sizes.observe(this.canvas)
-    const stopThemes = onThemeChange(recolour)
-    document.fonts.addEventListener('loadingdone', redraw)
+    const stopStyles = onRestyle(recolour)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       stopTime()
       sizes.disconnect()
-      stopThemes()
-      document.fonts.removeEventListener('loadingdone', redraw)
+      stopStyles()
     }
   }
 
@@ -84,8 +86,8 @@ export class SlideStage extends LitElement {
   }
 
   private draw(): void {
-    const { picture, playback, held, lit } = this
-    this.stage.draw({ ...picture(playback.time), held, lit: held ?? lit })
+    const { picture, playback, held, lit, forceDrawing } = this
+    this.stage.draw({ ...picture(playback.time), held, lit: held ?? lit }, forceDrawing)
   }
 
   override render() {

@@ -1,5 +1,5 @@
 import { html } from 'lit'
-import { lengthText } from '../chart/numbers.ts'
+import { lengthText, place } from '../chart/numbers.ts'
 import type { LabView } from './labView.ts'
 import { sameMethod } from './state/modes.ts'
 import { spreadText } from './state/spreadText.ts'
@@ -7,8 +7,10 @@ import { spreadText } from './state/spreadText.ts'
 /**
  * The number that it is all about: how far apart the frame rates end. Between blocks that differ in more than their frames it
  * says nothing of frame rates, and has another name.
+ *
+ * @param counted the part of it that is shown while it counts up, 0 … 1
  */
-export function spreadNumber({ simulated: { spread, visible } }: LabView) {
+export function spreadNumber({ simulated: { spread, visible } }: LabView, counted: number) {
   const [first, ...others] = visible
   const label = others.every((each) => sameMethod(each.state, first!.state))
     ? 'frame-rate spread'
@@ -17,11 +19,16 @@ export function spreadNumber({ simulated: { spread, visible } }: LabView) {
   if (!spread || visible.length < 2)
     return html`<p class="spread" part="spread">
       <span>${label}</span>
-      <output title="It takes two visible runners to be apart.">–</output>
+      <output title="The spread needs two visible runners.">–</output>
     </p>`
-  const { value, remark, title } = spreadText(spread, lengthText)
+  const { value, remark, title } = spreadText(
+    spread,
+    counted < 1 ? (length) => place(counted * length) : lengthText,
+  )
   return html`<p class="spread" part="spread">
     <span>${label}</span>
-    <output title=${title}>${value} ${remark ? html`<small>(${remark})</small>` : ''}</output>
+    <output title=${title} aria-busy=${counted < 1}
+      >${value} ${remark ? html`<small>(${remark})</small>` : ''}</output
+    >
   </p>`
 }

@@ -1,6 +1,6 @@
 import { html } from 'lit'
 import { live } from 'lit/directives/live.js'
-import { icon } from '../ui/icons.ts'
+import { iconButton } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
 import type { Preset } from './presets/preset.ts'
 
@@ -18,19 +18,15 @@ export function tools(lab: LabView) {
 }
 
 function button(name: 'undo' | 'redo', label: string, isEnabled: boolean, act: () => void) {
-  return html`<button
-    type="button"
-    class="step"
-    title=${label}
-    aria-label=${label.replace(/ \(.*/, '')}
-    ?disabled=${!isEnabled}
-    @click=${(event: Event) => {
+  return iconButton(name, {
+    label,
+    act: (event) => {
       act()
       keepFocus(event.currentTarget as HTMLButtonElement)
-    }}
-  >
-    ${icon(name)}
-  </button>`
+    },
+    className: 'step',
+    isDisabled: !isEnabled,
+  })
 }
 
 /** A button that was the last of its kind gives the focus to the other one. */

@@ -1,10 +1,10 @@
 import { html, noChange } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { fixed } from '../chart/numbers.ts'
-import { icon } from '../ui/icons.ts'
-import type { IconName } from '../ui/icons.ts'
+import { iconButton } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
 import { atNow } from './playback/atNow.ts'
+import type { Playback } from './playback/playback.ts'
 
 const speeds = [
   [1, '1×'],
@@ -22,22 +22,18 @@ export function transport({ simulated, playback }: LabView) {
   const part = (time: number) => (duration > 0 ? time / duration : 1)
   return html`<div class="transport" part="transport">
     <div class="buttons">
-      ${button('start', 'To the start (Home)', () => playback.toStart())}
-      ${button('back', 'One frame back (←)', () => playback.stepFrames(-1))}
-      <button
-        type="button"
-        class="play"
-        title="${playing ? 'Pause' : 'Play'} (Space)"
-        aria-label=${playing ? 'Pause' : 'Play'}
-        @click=${() => playback.toggle()}
-      >
-        ${icon(playing ? 'pause' : 'play')}
-      </button>
-      ${button('on', 'One frame on (→)', () => playback.stepFrames(1))}
-      ${button('end', 'To the end (End)', () => playback.toEnd())}
+      ${iconButton('start', { label: 'To the start (Home)', act: () => playback.toStart() })}
+      ${iconButton('back', { label: 'One frame back (←)', act: () => playback.stepFrames(-1) })}
+      ${iconButton(playing ? 'pause' : 'play', {
+        label: `${playing ? 'Pause' : 'Play'} (Space)`,
+        act: () => playback.toggle(),
+        className: 'play',
+      })}
+      ${iconButton('on', { label: 'One frame forward (→)', act: () => playback.stepFrames(1) })}
+      ${iconButton('end', { label: 'To the end (End)', act: () => playback.toEnd() })}
     </div>
     <select
-      aria-label="Playing speed"
+      aria-label="Playback speed"
       @change=${(event: Event) => {
         playback.speed = speeds[(event.target as HTMLSelectElement).selectedIndex]![0]
       }}
@@ -66,18 +62,30 @@ export function transport({ simulated, playback }: LabView) {
   </div>`
 }
 
-function button(name: IconName, label: string, act: () => void) {
-  return html`<button
-    type="button"
-    title=${label}
-    aria-label=${label.replace(/ \(.*/, '')}
-    @click=${act}
-  >
-    ${icon(name)}
-  </button>`
-}
-
 /** A time with as many decimals as the length of the run makes worth reading. */
 function clock(time: number, duration: number): string {
   return fixed(time, duration < 0.1 ? 4 : duration < 100 ? 2 : 0)
+}
+
+/** Fields and sliders have uses of their own for the keys, and a button is pressed with Space. */
+const usesKeys = 'input, select, textarea, [role="slider"]'
+const usesSpace = `${usesKeys}, button, a, summary`
+
+/** Does what a key asks of the transport, unless what has the focus uses that key itself. */
+export function shortcut(event: KeyboardEvent, playback: Playback): void {
+  const { key, shiftKey } = event
+  // Seen from outside a shadow root, the target is its host.
+  const [target] = event.composedPath()
+  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return
+  const acts: Readonly<Record<string, () => void>> = {
+    ' ': () => playback.toggle(),
+    ArrowLeft: () => playback.stepFrames(shiftKey ? -10 : -1),
+    ArrowRight: () => playback.stepFrames(shiftKey ? 10 : 1),
+    Home: () => playback.toStart(),
+    End: () => playback.toEnd(),
+  }
+  const act = acts[key]
+  if (!act || (target as Element).matches(key === ' ' ? usesSpace : usesKeys)) return
+  event.preventDefault()
+  act()
 }

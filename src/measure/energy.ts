@@ -12,12 +12,12 @@ export function mechanicalEnergy({ experiment, s, v }: Trajectory): Float64Array
 }
 
 /**
- * Kinetic + potential + heat − what the run began with, at each row [J]. The heat is the work of friction and drag,
- * force × distance, so that a method which invents energy or loses it shows it here.
+ * Kinetic + potential + heat − work of the belt − what the run began with, at each row [J]. The heat is the work of
+ * friction and drag, force × distance, so that a method which invents energy or loses it shows it here.
  */
 export function energyResidual(trajectory: Trajectory): Float64Array {
   const energy = mechanicalEnergy(trajectory)
-  const { heat } = trajectory
+  const { heat, work } = trajectory
   const start = energy[0]!
-  return energy.map((value, row) => value + heat[row]! - start)
+  return energy.map((value, row) => value + heat[row]! - work[row]! - start)
 }

@@ -28,7 +28,7 @@ export type { Spread } from './spread.ts'
 export { paperMethod, spreadMethods, spreadTable } from './spreadTable.ts'
 export type { Method, SpreadRequest, SpreadRow } from './spreadTable.ts'
 export { stabilityLimit, staysBounded } from './stability.ts'
-export { stableRate } from './stableRate.ts'
+export { stableRate } from './stability.ts'
 export {
   counts,
   isExact,

@@ -1,4 +1,5 @@
 import { html } from 'lit'
+import { forceDrawing } from '../view/forces.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
@@ -20,6 +21,7 @@ export const instruments: OpenPanels = (lab) => {
     glide: new Glide(lab),
     presets,
     forces: () => forces.vectors(),
+    forceDrawing,
     below() {
       const { simulated, playback, selected } = lab
       return html`${forces.panel()} ${parametersPanel(lab)} ${runnersTable(lab)}

@@ -2,8 +2,11 @@ import type { Integrator } from './integrator.ts'
 import { FAR } from './law.ts'
 import type { Motion } from './motion.ts'
 
-/** What ends a step early: the block turns (v = 0), or comes to the end of its piece of track. */
-type Event = 'turn' | 'joint'
+/**
+ * What ends a step early: the block turns (its sliding ends, v = u), comes to the end of its piece of track, or takes off
+ * from a crest (press = 0).
+ */
+type Event = 'turn' | 'joint' | 'take-off'
 
 const MOST_HALVINGS = 60
 const MOST_ITERATIONS = 100
@@ -27,11 +30,12 @@ export function stepToEvent(motion: Motion, integrator: Integrator): void {
   const turned = hasTurned(motion) && (turnMatters || mayReachEnd(motion))
   const overflowed = turnMatters && !(Math.abs(motion.v) < Infinity)
   if (turned || overflowed || isOutside(motion)) shortenToEvent(motion, integrator)
+  if (motion.curvature < 0 && motion.moving && motion.isLifted()) takeOff(motion, integrator)
 }
 // #endregion
 
-function hasTurned({ v, slip }: Motion): boolean {
-  return slip > 0 ? v < 0 : v > 0
+function hasTurned({ v, slip, law }: Motion): boolean {
+  return slip > 0 ? v < law.belt : v > law.belt
 }
 
 function isOutside({ s, from, to }: Motion): boolean {
@@ -66,10 +70,22 @@ function shortenToEvent(motion: Motion, integrator: Integrator): void {
   motion.s = end
 }
 
-/** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m]. */
-function residual(event: Event, { s, v, slip, from, to }: Motion): number {
-  if (event === 'turn') return slip * v
-  return slip > 0 ? to - s : s - from
+/** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m, m/s²]. */
+function residual(event: Event, motion: Motion): number {
+  const { s, v, slip, from, to, law } = motion
+  if (event === 'turn') return slip * (v - law.belt)
+  if (event === 'joint') return slip > 0 ? to - s : s - from
+  motion.findPress()
+  return motion.press
+}
+
+/**
+ * Ends a step where the block takes off. Along a crest press grows up to the top and falls beyond it, and a press below 0
+ * falls on; so the step's end tells whether there is such a place, and there is one at most.
+ */
+function takeOff(motion: Motion, integrator: Integrator): void {
+  if (!locate('take-off', motion, integrator)) return motion.end('diverged')
+  motion.end('left-the-track')
 }
 
 /** Takes the step again, now of `dt` seconds. */
@@ -117,9 +133,14 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   motion.rewind()
   let early = 0
   let before = residual(event, motion)
-  const size = event === 'turn' ? 0 : Math.abs(motion.slip > 0 ? motion.to : motion.from)
+  const size = sizeOf(event, motion)
   const small = Number.EPSILON * Math.max(size, before)
   const limit = ROUNDING * Math.max(size, before, event === 'turn' ? fastest(motion) : 0)
+  // Its press is 0 to begin with, and falls.
+  if (event === 'take-off' && before <= 0) {
+    motion.dt = 0
+    return true
+  }
   // A block that has just set off is at v = 0 to begin with: the turn is the one after that.
   for (let i = 0; before <= 0; i++) {
     if (i === MOST_HALVINGS) return false
@@ -155,6 +176,13 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
     }
   }
   return Math.abs(residual(event, motion)) <= limit
+}
+
+/** The size of the terms of a residual that don't vanish with it [m/s, m, m/s²]. */
+function sizeOf(event: Event, { slip, from, to, law }: Motion): number {
+  if (event === 'turn') return Math.abs(law.belt)
+  if (event === 'joint') return Math.abs(slip > 0 ? to : from)
+  return law.gravity
 }
 
 function lessWeight(here: number, before: number): number {

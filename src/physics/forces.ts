@@ -28,7 +28,7 @@ export interface ForceVectors {
   /** The sum divided by the mass [m/s²]. */
   acceleration: Vector
   /** Whether friction holds the block, brakes it, or does not act: there is none, or the stopping rule leaves it out. */
-  rubbing: 'held' | 'sliding' | 'none'
+  frictionKind: 'held' | 'sliding' | 'none'
 }
 
 /**
@@ -49,11 +49,12 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   // Without a direction of sliding there is no friction in the acceleration.
   motion.slide(0)
   const drive = motion.acceleration(s, v)
-  const press = motion.weight + motion.curvature * (v * v)
-  // A rule that goes by the sign of v alone knows no friction where v is 0.
-  const atRest = v === 0 && entry(stoppings, stopping).holdsSlip
+  // A track does not pull: a block that is too fast for a crest has left it.
+  const press = Math.max(0, motion.weight + motion.curvature * (v * v))
+  // A rule that goes by the direction of sliding alone knows no friction where there is none.
+  const atRest = v === law.belt && entry(stoppings, stopping).holdsSlip
   const held = atRest && law.muStatic > 0 && !motion.setsOff()
-  const slip = atRest ? motion.slip : Math.sign(v)
+  const slip = atRest ? motion.slip : Math.sign(v - law.belt)
   // #region vectors
   const gravity = { x: 0, y: -law.mass * parameters.gravity! }
   const normal = times(law.mass * press, across)
@@ -70,6 +71,6 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
     other,
     sum,
     acceleration: times(1 / law.mass, sum),
-    rubbing: held ? 'held' : law.muStatic > 0 && slip !== 0 ? 'sliding' : 'none',
+    frictionKind: held ? 'held' : law.muStatic > 0 && slip !== 0 ? 'sliding' : 'none',
   }
 }

@@ -23,7 +23,7 @@ export class Resistance {
 }
 
 /**
- * Adds the heat of the step from its recorded start to the present state: the force of friction and drag times the
+ * Adds the heat, and a belt's work, of the step from its recorded start to the present state: the force of friction and drag times the
  * distance, and never what the energy has lost. On a bend and in air the integral comes from the force and its derivatives at
  * both ends (Hermite's two-point formula); it is of the eighth order, as the best method is.
  */
@@ -33,7 +33,10 @@ export function addHeat(motion: Motion): void {
   if (muKinetic === 0 && drag === 0) return
   const h = s - startS
   if (curvature === 0 && drag === 0) {
-    motion.heat += mass * muKinetic * motion.weight * Math.abs(h)
+    const force = mass * muKinetic * motion.weight
+    const carried = law.belt * motion.dt
+    motion.heat += force * Math.abs(h - carried)
+    motion.work -= motion.slip * force * carried
     return
   }
   const start = motion.resistance

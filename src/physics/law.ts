@@ -19,6 +19,8 @@ export interface Law {
   readonly stiffness: number
   /** Of the air, per mass: c/m [1/m]. */
   readonly drag: number
+  /** The track's own speed along s, u: 0 but on a belt [m/s]. */
+  readonly belt: number
   /** A stop changes the force, or how it changes: friction or drag acts. */
   readonly turnMatters: boolean
   /** Only a step that has lost its stability exceeds this speed [m/s]. */
@@ -27,11 +29,11 @@ export interface Law {
 
 /** The law for the parameters of a scene. A force that the scene does not have is 0. */
 export function lawOf(track: Track, parameters: Parameters): Law {
-  const { gravity = 0, mass = 1, muStatic = 0, muKinetic = 0 } = parameters
+  const { gravity = 0, mass = 1, muStatic = 0, muKinetic = 0, beltSpeed: belt = 0 } = parameters
   const stiffness = (parameters.stiffness ?? 0) / mass
   const drag = (parameters.drag ?? 0) / mass
   return {
-    ...{ track, gravity, mass, muStatic, muKinetic, stiffness, drag },
+    ...{ track, gravity, mass, muStatic, muKinetic, stiffness, drag, belt },
     turnMatters: muStatic > 0 || drag > 0,
     speedLimit: stiffness > 0 ? fastestOnSpring(track, stiffness, parameters) : FAST,
   }
@@ -39,12 +41,13 @@ export function lawOf(track: Track, parameters: Parameters): Law {
 
 /**
  * A thousand times the speed that a block on a spring can't exceed, so a million times the energy [m/s]: that of its
- * swing from where it begins about the point of balance, and its own. The parts are added as if they never cancelled or
- * squared, so that no rounding and no underflow makes it too small for the motion.
+ * swing from where it begins about the point of balance, its own, and on a belt what the belt adds. The parts are added as
+ * if they never cancelled or squared, so that no rounding and no underflow makes it too small for the motion.
  */
 function fastestOnSpring(track: Track, stiffness: number, parameters: Parameters): number {
-  const { gravity = 0, position = 0, speed = 0 } = parameters
+  const { gravity = 0, position = 0, speed = 0, beltSpeed = 0, muStatic = 0 } = parameters
   const omega = Math.sqrt(stiffness)
   const balance = (gravity * track[0]!.sin) / omega
-  return 1000 * (Math.abs(omega * position) + balance + Math.abs(speed))
+  const carried = beltSpeed === 0 ? 0 : Math.abs(beltSpeed) + (2 * muStatic * gravity) / omega
+  return 1000 * (Math.abs(omega * position) + balance + Math.abs(speed) + carried)
 }

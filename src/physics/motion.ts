@@ -19,9 +19,13 @@ export class Motion {
   dt = NaN
   /** Time since the start of the step that the timestep policy asked for [s]. */
   elapsed = NaN
+  /** How long that step went on until it was shortened for the first time, or to its end [s]. */
+  firstPart = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** Energy that friction and drag have turned into heat [J]. */
   heat = NaN
+  /** The work of a moving belt on the block [J]. */
+  work = NaN
   /** How often the acceleration was evaluated. */
   evaluations = 0
   /** Implicit steps whose equation was not solved to rounding. */
@@ -52,6 +56,8 @@ export class Motion {
   /** The acceleration is one number all along the piece: by gravity and friction alone, on a straight [m/s²]. */
   private isSteady = false
   private steady = NaN
+  /** Where the block is now, once `findPress` has been called: the normal force per mass, N/m [m/s²]. */
+  press = NaN
   /** Where the acceleration is evaluated, and what it is there [m, m/s, m/s²]. */
   atS = NaN
   atV = NaN
@@ -77,9 +83,10 @@ export class Motion {
     this.slipHeld = slipHeld
     this.s = s
     this.v = v
-    this.heat = this.elapsed = 0
-    this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
+    this.heat = this.work = this.elapsed = 0
+    this.slide(v > law.belt ? 1 : v < law.belt ? -1 : 0)
     this.enterPiece()
+    if (this.isLifted()) this.end('left-the-track')
   }
 
   /** It has neither come to rest nor left the track nor diverged: there is something to step. */
@@ -119,7 +126,7 @@ export class Motion {
         this.weight = law.gravity * (head + (1 - head - 0.5 * z + w * cosineTail))
       } else this.turn()
     }
-    if (!this.slipHeld) this.slide(v > 0 ? 1 : v < 0 ? -1 : 0)
+    if (!this.slipHeld) this.slide(v > law.belt ? 1 : v < law.belt ? -1 : 0)
     // #region law
     const drive = this.tangential - law.stiffness * s - law.drag * v * Math.abs(v)
     const press = this.weight + this.curvature * (v * v)
@@ -137,6 +144,22 @@ export class Motion {
     this.tangential = law.gravity * direction.sin
     this.weight = law.gravity * direction.cos
     // #endregion
+  }
+
+  /** Sets `press` to the normal force per mass where the block is now. */
+  findPress(): void {
+    if (this.curvature !== 0) {
+      this.atS = this.s
+      this.turn()
+    }
+    this.press = this.weight + this.curvature * (this.v * this.v)
+  }
+
+  /** Whether the press is negative: on a crest, the block is too fast to stay on the track. */
+  isLifted(): boolean {
+    if (this.curvature >= 0) return false
+    this.findPress()
+    return this.press < 0
   }
 
   /** Sets the slip direction, which friction opposes from now on. */
@@ -184,16 +207,16 @@ export class Motion {
   }
 
   /**
-   * Decides for a block with v = 0 whether it moves: static friction holds it while |drive| ≤ μs press. Otherwise it
-   * sets off along the drive.
+   * Decides for a block that does not slide whether it sets off: static friction holds it while |drive| ≤ μs press.
+   * Otherwise it sets off along the drive. A block that is held is at rest, or rides on a belt.
    */
   setsOff(): boolean {
     // #region rest
     this.slide(0)
-    const drive = this.acceleration(this.s, 0)
+    const drive = this.acceleration(this.s, this.law.belt)
     const terms = Math.abs(this.tangential) + Math.abs(this.law.stiffness * this.s)
     if (holds(drive, this.law.muStatic * this.weight, terms)) {
-      this.end('at-rest')
+      if (this.law.belt === 0) this.end('at-rest')
       return false
     }
     this.slide(drive > 0 ? 1 : -1)
@@ -220,9 +243,9 @@ export class Motion {
     this.known = this.startKnown
   }
 
-  /** Brings the block to rest where it is. */
+  /** Ends the sliding where the block is. */
   stop(): void {
-    this.v = 0
+    this.v = this.law.belt
     this.known = false
   }
 

@@ -5,6 +5,7 @@ import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import { Motion } from './motion.ts'
 import { show } from './problems.ts'
+import { Saved } from './saved.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
 import { advance } from './step.ts'
@@ -12,6 +13,9 @@ import { stoppings } from './stopping/index.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 import { policyOf } from './timesteps/index.ts'
 import type { Advance, FrameContext } from './timestepPolicy.ts'
+
+// What rounding may leave of a difference of energies, in parts of their size: some thousand steps add an ulp each.
+const ROUNDING = 4096 * Number.EPSILON
 
 /** How a run stands or ended, and since when on the physics clock [s]. */
 export interface Outcome {
@@ -38,15 +42,25 @@ export class Run implements FrameContext {
   lostTime = NaN
   /** Frames so far. */
   frames = 0
-  /** Steps that the timestep policy asked for. */
+  /** Steps that the timestep policy asked for, but for those that it took back. */
   steps = 0
+  readonly order: number
+  error = NaN
+  allowed = NaN
+  /** Who watches a policy that tries steps: told when what was tried is taken back, and when one is kept or refused. */
+  watcher: { restored(): void; judged(accepted: boolean): void } | undefined
 
   private outcomeTime = NaN
+  private readonly saved: Saved
+  private savedSteps = 0
   private readonly wallClock = new ExactSum()
   private readonly integrator: Integrator
   private readonly rule: StoppingRule
   private readonly policy: Advance
   private readonly advance: typeof advance
+  /** Kinetic and potential energy per mass at a state [J/kg], and their sum at the start. */
+  private readonly energyAt: (s: number, v: number) => number
+  private readonly energy: number
 
   /** @param step what takes each step: `advance`, or what watches it */
   constructor(experiment: ResolvedExperiment, step = advance) {
@@ -62,6 +76,10 @@ export class Run implements FrameContext {
       parameters.speed!,
       this.rule.holdsSlip,
     )
+    this.energyAt = (s, v) => 0.5 * v * v + scene.potential(parameters, s)
+    this.energy = this.energyAt(this.motion.s, this.motion.v)
+    this.saved = new Saved(this.motion)
+    this.order = Math.min(this.integrator.order, this.integrator.orderWithSpeed)
     this.drawnS = this.motion.s
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
@@ -120,7 +138,22 @@ export class Run implements FrameContext {
     }
   }
 
-  /** Ends the run as diverged, where going on would take more work than a run may. */
+  save(): void {
+    this.saved.save()
+    this.savedSteps = this.steps
+  }
+
+  restore(): void {
+    this.saved.restore()
+    this.steps = this.savedSteps
+    this.drawnS = this.motion.s
+    this.watcher?.restored()
+  }
+
+  judge(accepted: boolean): void {
+    this.watcher?.judged(accepted)
+  }
+
   abandon(): void {
     if (this.ended) return
     this.motion.end('diverged')
@@ -132,9 +165,23 @@ export class Run implements FrameContext {
     this.steps += count
     for (let i = 0; i < count && motion.moving; i++) {
       this.advance(motion, this.integrator, this.rule)
+      if (motion.outcome === 'at-rest' && !this.isPaidRest()) motion.outcome = 'diverged'
       if (!motion.moving)
         this.outcomeTime = this.stateTime + (before + i) * motion.dt + motion.elapsed
     }
     this.drawnS = motion.s
+  }
+
+  /**
+   * Whether friction can have brought the block to rest: at least half of the energy that is gone has become heat. A
+   * method that loses the energy of a swing by itself, in steps too long for it, ends at rest where no block would stop.
+   * That is asked where rests are located and the order is 2 or more: elsewhere they are not promised.
+   */
+  private isPaidRest(): boolean {
+    const { motion, rule, order, energy } = this
+    if (!rule.keepsOrder || order < 2) return true
+    const now = this.energyAt(motion.s, motion.v)
+    const rounding = ROUNDING * (Math.abs(energy) + Math.abs(now))
+    return energy - now <= (2 * motion.heat) / motion.law.mass + rounding
   }
 }

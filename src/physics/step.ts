@@ -2,6 +2,7 @@ import { addHeat } from './heat.ts'
 import type { Integrator } from './integrator.ts'
 import { FAR } from './law.ts'
 import type { Motion } from './motion.ts'
+import { ride } from './ride.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
 // Parts of one step, which end at stops, joints and cuts. A real motion has a handful, an oscillation that is far too fast
@@ -17,13 +18,19 @@ export function advance(motion: Motion, integrator: Integrator, rule: StoppingRu
   const whole = motion.dt
   let left = whole
   motion.elapsed = 0
+  motion.firstPart = whole
   for (let parts = 0; left > 0 && motion.moving; parts++) {
     if (parts === MOST_PARTS) return motion.end('diverged')
-    if (motion.v === 0 && rule.holdsSlip && !motion.setsOff()) break
-    motion.begin()
-    rule.step(motion, integrator)
+    if (motion.v === motion.law.belt && rule.holdsSlip && !motion.setsOff()) {
+      if (!motion.moving) break
+      ride(motion, rule)
+    } else {
+      motion.begin()
+      rule.step(motion, integrator)
+      if (motion.outcome !== 'diverged') accept(motion)
+    }
     motion.elapsed = motion.dt === left ? whole : motion.elapsed + motion.dt
-    if (motion.moving) accept(motion)
+    if (parts === 0) motion.firstPart = motion.elapsed
     left = whole - motion.elapsed
     motion.dt = left
   }
@@ -37,8 +44,10 @@ function accept(motion: Motion): void {
   const isOnPiece = s > motion.from && s < motion.to && Math.abs(v) <= motion.law.speedLimit
   if (!isOnPiece && isLost(motion)) return
   addHeat(motion)
-  if (slip > 0 ? v < 0 : v > 0) motion.slide(v > 0 ? 1 : -1)
+  const relative = v - motion.law.belt
+  if (slip > 0 ? relative < 0 : relative > 0) motion.slide(relative > 0 ? 1 : -1)
   if (!isOnPiece && !motion.enterPiece()) motion.end('left-the-track')
+  if (motion.curvature < 0 && motion.isLifted()) motion.end('left-the-track')
 }
 
 /** Ends a motion that has got farther or faster than any real one. */

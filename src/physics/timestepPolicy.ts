@@ -6,7 +6,16 @@ export interface FrameContext {
   readonly frameDuration: number
   readonly time: number
   /** The block; `dt` is for the policy to set [s]. */
-  readonly motion: { readonly s: number; readonly v: number; dt: number }
+  readonly motion: {
+    readonly s: number
+    readonly v: number
+    dt: number
+    readonly moving: boolean
+    /** How long the last step went on until something happened in it, or to its end [s]. */
+    readonly firstPart: number
+  }
+  /** The power of dt with which the method's error falls, whatever the law. */
+  readonly order: number
   /** What the policy says of the frame: the time that the physics state stands at, the time dropped so far [s]. */
   stateTime: number
   lostTime: number
@@ -14,6 +23,15 @@ export interface FrameContext {
   drawnS: number
   /** Takes that many steps of `motion.dt` seconds, `before` of them since the time that `stateTime` holds. */
   step(count?: number, before?: number): void
+  /** Remembers how the run stands; `restore` returns to that, as often as it is called. */
+  save(): void
+  restore(): void
+  /** What a policy that tries steps says of one: how far off it is and how far it may be [m], and what becomes of it. */
+  error: number
+  allowed: number
+  judge(accepted: boolean): void
+  /** Ends the run as diverged, where going on would take more work than a run may. */
+  abandon(): void
 }
 
 /** Turns one frame into steps of the motion. */

@@ -34,23 +34,37 @@ export interface Stretch {
   /** When it begins, in the step that the policy asked for [s]. */
   begins: number
   tries: TriedStep[]
-  /** What ended it, if not the step's end: a stop, a joint, or that the law changes too much for a longer step. */
-  ends?: 'stop' | 'joint' | 'cut'
+  /**
+   * What ended it, if not the step's end: a stop, a joint, a take-off, that the law changes too much for a longer step, or
+   * that a trial could not be trusted and was halved.
+   */
+  ends?: 'stop' | 'joint' | 'take-off' | 'cut' | 'halved'
 }
 
-/** An evaluation for a block with v = 0, whether static friction holds it; `a` is the drive that it has to hold against. */
+/** An evaluation for a block that does not slide, whether static friction holds it; `a` is the drive to hold against. */
 export interface Standing extends Evaluation {
   /** When, in the step that the policy asked for [s]. */
   begins: number
 }
 
+/** One try of a policy that tries steps: how far off it is and how far off it may be [m], and what became of it. */
+export interface Attempt {
+  error: number
+  allowed: number
+  accepted: boolean
+}
+
 /** A step that the timestep policy asked for. */
 export interface PolicyStep {
+  /** The policy took it back: it was a try, or half of one that was refused. */
+  takenBack: boolean
+  /** The try that it was part of: a whole step, two halves, and before them a step that an event cut short. */
+  attempt?: Attempt
   dt: number
   from: State
   to: State
   stretches: Stretch[]
-  /** Of these the last one held where the outcome is at rest; after each of the others the block set off. */
+  /** Where no stretch begins with it, static friction held: the block is at rest, or rode on the belt. */
   standings: Standing[]
   outcome: Motion['outcome']
 }
@@ -69,11 +83,25 @@ export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] 
     if (reached < frame) advance(motion, integrator, rule)
     else steps.push(traceStep(motion, integrator, rule))
   })
+  const { run } = loop
+  let judged = 0
+  let saved = 0
+  run.watcher = {
+    restored: () => {
+      for (const step of steps.slice(saved)) step.takenBack = true
+      saved = steps.length
+    },
+    judged: (accepted) => {
+      const attempt = { error: run.error, allowed: run.allowed, accepted }
+      for (const step of steps.slice(judged)) step.attempt = attempt
+      judged = saved = steps.length
+    },
+  }
   do reached++
   while (loop.next() && reached < frame)
-  if (reached !== frame || loop.run.frames !== frame)
+  if (reached !== frame || run.frames !== frame)
     throw new RangeError(
-      `The run has no frame ${String(frame)}; its frames are 1 to ${loop.run.frames}.`,
+      `The run has no frame ${String(frame)}; its frames are 1 to ${run.frames}.`,
     )
   return steps
 }
@@ -115,14 +143,19 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
       stretches.push(stretch)
       const asked = motion.dt
       rule.step(motion, watchedIntegrator)
-      if (motion.v === 0) stretch.ends = 'stop'
+      if (motion.v === motion.law.belt) stretch.ends = 'stop'
+      else if (motion.outcome === 'left-the-track') stretch.ends = 'take-off'
       else if (motion.s === motion.to || motion.s === motion.from) stretch.ends = 'joint'
+      else if (motion.dt < stretch.tries[0]!.dt) stretch.ends = 'halved'
       else if (motion.dt < asked) stretch.ends = 'cut'
     },
   }
   advance(motion, watchedIntegrator, watchedRule)
   motion.observe(undefined)
-  return { dt, from, to: stateOf(motion), stretches, standings, outcome: motion.outcome }
+  return {
+    ...{ takenBack: false, dt, from, to: stateOf(motion) },
+    ...{ stretches, standings, outcome: motion.outcome },
+  }
 }
 
 function stateOf({ s, v }: Motion): State {

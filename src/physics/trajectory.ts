@@ -17,6 +17,8 @@ export interface Trajectory {
   drawnS: Float64Array
   /** Σ force of friction and drag × distance so far [J]. */
   heat: Float64Array
+  /** What a moving belt has done so far [J]: 0 in every other scene. */
+  work: Float64Array
   /** Steps that the timestep policy asked for. */
   steps: number
   /** Evaluations of the acceleration, those of steps that were tried and shortened included. */
@@ -38,6 +40,7 @@ export class Recorder {
   private v: Float64Array
   private drawnS: Float64Array
   private heat: Float64Array
+  private work: Float64Array
 
   /** `capacity`: how many rows to expect; more are no mistake. */
   constructor(capacity: number) {
@@ -47,6 +50,7 @@ export class Recorder {
     this.v = new Float64Array(capacity)
     this.drawnS = new Float64Array(capacity)
     this.heat = new Float64Array(capacity)
+    this.work = new Float64Array(capacity)
   }
 
   record(run: Run): void {
@@ -60,15 +64,16 @@ export class Recorder {
     this.v[row] = motion.v
     this.drawnS[row] = run.drawnS
     this.heat[row] = motion.heat
+    this.work[row] = motion.work
   }
 
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {
     this.resize(this.rows)
-    const { time, stateTime, s, v, drawnS, heat } = this
+    const { time, stateTime, s, v, drawnS, heat, work } = this
     const { frames, steps, evaluations, lostTime, outcome } = run
     const { unsolved } = run.motion
     return {
-      ...{ experiment, frames, time, stateTime, s, v, drawnS, heat },
+      ...{ experiment, frames, time, stateTime, s, v, drawnS, heat, work },
       ...{ steps, evaluations, unsolved, lostTime, outcome },
     }
   }
@@ -81,6 +86,7 @@ export class Recorder {
     this.v = resized(this.v, rows)
     this.drawnS = resized(this.drawnS, rows)
     this.heat = resized(this.heat, rows)
+    this.work = resized(this.work, rows)
   }
 }
 

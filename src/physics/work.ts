@@ -50,7 +50,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
  */
 function reversals(parameters: Parameters, duration: number): number {
   const { gravity = 0, mass = 1, angle = 0, radius, stiffness = 0 } = parameters
-  const { position = 0, speed = 0, muStatic = 0, muKinetic = 0 } = parameters
+  const { position = 0, speed = 0, beltSpeed = 0, muStatic = 0, muKinetic = 0 } = parameters
   // The energy that friction takes in a half-swing of a pipe, from θ₁ ≤ ½π to −θ₂, gives tan ½(θ₁ − θ₂) ≥ μk, and
   // atan μk ≥ μk/(1 + μk).
   if (radius !== undefined)
@@ -61,6 +61,8 @@ function reversals(parameters: Parameters, duration: number): number {
   if (muStatic === 0) return 0
   const { sin, cos } = sinCosDegrees(angle)
   const omega = Math.sqrt(stiffness / mass)
+  // A belt gives what friction takes, and each of its cycles holds two events.
+  if (beltSpeed !== 0) return (omega * duration) / Math.PI
   // The drive where a spring's half-swing ends, which friction lessens by 2 μk press from one end to the next.
   const drive = Math.abs(omega * omega * position - gravity * sin) + Math.abs(omega * speed)
   const lessened = 2 * muKinetic * gravity * cos

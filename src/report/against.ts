@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs'
 import { resolve } from 'node:path'
 import { inChild } from './child.ts'
-import { nanoseconds } from './text/figures.ts'
+import { nanoseconds } from './text/numbers.ts'
 import { plainTable } from './text/markdown.ts'
 import type { Care } from './timing/rounds.ts'
 import type { Compared, Kind } from './against/measure.ts'

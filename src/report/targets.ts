@@ -1,7 +1,7 @@
 import { integrators, scenes } from '../physics/index.ts'
 import { ours, engines } from './engines/index.ts'
 import type { FrameTime, Report, Target } from './schema/index.ts'
-import { metres } from './text/figures.ts'
+import { metres } from './text/numbers.ts'
 
 type Measured = Pick<Report, 'frames' | 'engineTests' | 'frontiers'>
 type Found = Pick<Target, 'figure' | 'from'> | undefined

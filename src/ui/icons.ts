@@ -1,4 +1,4 @@
-import { html, svg } from 'lit'
+import { html, nothing, svg } from 'lit'
 
 const shapes = {
   play: svg`<path d="M7 4.5v15l12-7.5Z" />`,
@@ -23,3 +23,28 @@ export function icon(name: keyof typeof shapes) {
 }
 
 export type IconName = keyof typeof shapes
+
+interface IconButton {
+  /** What it does, and in brackets the key that does it too. */
+  readonly label: string
+  readonly act: (event: Event) => void
+  readonly className?: string
+  readonly isDisabled?: boolean
+}
+
+/** A button with nothing but a drawing on it. */
+export function iconButton(
+  name: IconName,
+  { label, act, className, isDisabled = false }: IconButton,
+) {
+  return html`<button
+    type="button"
+    class=${className ?? nothing}
+    title=${label}
+    aria-label=${label.replace(/ \(.*/, '')}
+    ?disabled=${isDisabled}
+    @click=${act}
+  >
+    ${icon(name)}
+  </button>`
+}

@@ -39,3 +39,10 @@ export function valueByKey(
   // Rounded, so that 0.1 + 0.2 is 0.3.
   return Number((value + steps * step * (shiftKey ? 10 : 1)).toPrecision(12))
 }
+
+let count = 0
+
+/** An id that no other element of the page has: several labs can stand on one page. */
+export function freshId(prefix: string): string {
+  return `${prefix}-${++count}`
+}

@@ -2,10 +2,10 @@ import { html, LitElement, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { live } from 'lit/directives/live.js'
 import type { NumberOption } from '../physics/index.ts'
-import { readNumber, shownNumber, writeNumber } from '../chart/numbers.ts'
-import { freshId } from './freshId.ts'
+import { shownNumber, writeNumber } from '../chart/numbers.ts'
+import { readNumber } from '../chart/typedNumber.ts'
+import { freshId } from './input.ts'
 import { icon } from './icons.ts'
-import { typeset } from './typeset.ts'
 
 /** What a control needs to know of the number that it sets. */
 export type Quantity = Pick<
@@ -182,3 +182,8 @@ class QuantityControl extends LitElement {
 }
 
 customElements.define('slide-quantity-control', QuantityControl)
+
+/** A quantity's symbol as it is set: the letter after a μ tells which μ it is. */
+export function typeset(symbol: string) {
+  return /^μ./.test(symbol) ? html`μ<sub>${symbol.slice(1)}</sub>` : symbol
+}

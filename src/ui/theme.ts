@@ -18,3 +18,13 @@ export function onThemeChange(callback: () => void): () => void {
 export function themeChanged(): void {
   for (const callback of followers) callback()
 }
+
+/** The same, and whenever a font has been loaded: for what draws words. */
+export function onRestyle(callback: () => void): () => void {
+  const stopThemes = onThemeChange(callback)
+  document.fonts.addEventListener('loadingdone', callback)
+  return () => {
+    stopThemes()
+    document.fonts.removeEventListener('loadingdone', callback)
+  }
+}

@@ -124,7 +124,7 @@ function tagBox(
 }
 
 /** Draws the arrows on a block, gravity's parts dashed, and the letters at the tips. */
-export function drawForces(
+function drawForces(
   context: CanvasRenderingContext2D,
   arrows: readonly ForceArrow[],
   { arrows: colours, sheet, sans }: Palette,
@@ -161,3 +161,7 @@ function dashed(context: CanvasRenderingContext2D, from: Point, to: Point, colou
   context.stroke()
   context.setLineDash([])
 }
+
+/** What draws forces: loaded with what can switch them on. */
+export const forceDrawing = { arrows: forceArrows, draw: drawForces } as const
+export type ForceDrawing = typeof forceDrawing

@@ -39,13 +39,6 @@ export function markOf(paletteIndex: number, radius: number): Path2D {
   return path
 }
 
-/** The same around a point. */
-export function markPath(paletteIndex: number, x: number, y: number, radius: number): Path2D {
-  const path = new Path2D()
-  path.addPath(markOf(paletteIndex, radius), new DOMMatrix().translate(x, y))
-  return path
-}
-
 /** Draws a mark around the origin, of radius 1. */
 export function drawMark(path: Path, paletteIndex: number): void {
   marks[paletteIndex % marks.length]!(path)

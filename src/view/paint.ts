@@ -1,19 +1,19 @@
-import { around } from '../chart/geometry.ts'
+import { around, moved } from '../chart/geometry.ts'
 import type { Box } from '../chart/geometry.ts'
 import { actorsOf } from './actors.ts'
+import type { Actor } from './actors.ts'
 import { drawAngle } from './angleArc.ts'
 import type { Backdrop } from './backdrop.ts'
-import { strokeBody } from './body.ts'
+import { strokeBody, centre, fillBody } from './body.ts'
 import { drawCaptions, placeCaptions } from './captions.ts'
 import { drawHandleNumbers, numberBoxes } from './handleNumbers.ts'
-import { drawForces, forceArrows } from './forces.ts'
+import type { ForceDrawing } from './forces.ts'
 import { drawHandles } from './handles.ts'
 import type { Palette } from './palette.ts'
 import { drawOutline, drawWords, physicsOf } from './physicsOutline.ts'
 import type { Picture } from './picture.ts'
 import { viewOf } from './scenes.ts'
 import type { Setting } from './setting.ts'
-import { drawRunner } from './signs.ts'
 import { drawSpring } from './spring.ts'
 import { drawPush, startRoom } from './start.ts'
 
@@ -24,6 +24,7 @@ export function paint(
   setting: Setting,
   palette: Palette,
   backdrop: Pick<Backdrop, 'draw'>,
+  forces?: ForceDrawing,
 ): void {
   const { layout, projection, handles, numbers } = setting
   const { scene, time } = picture
@@ -49,14 +50,62 @@ export function paint(
   // Beside a fall arrows give way to captions, elsewhere captions to arrows.
   const column = falls ? place(boxes) : []
   const taken = [...room, ...words, ...column.map(({ box }) => box)]
-  const arrows = selected ? forceArrows(picture, selected, layout, taken) : []
+  const arrows = (selected && forces?.arrows(picture, selected, layout, taken)) ?? []
   for (const arrow of arrows) room.push(arrow.box, ...arrow.room)
   const letters = [...boxes, ...arrows.map(({ box }) => box)]
   drawCaptions(context, falls ? column : place(room), letters, falls, palette)
   if (physics) drawWords(context, physics, layout, falls, palette)
-  drawForces(context, arrows, palette)
+  forces?.draw(context, arrows, palette)
   // An arrow would hide the angle's number.
   if (arrows[0] && words[0]) drawAngle(context, picture, layout, projection, palette)
   drawHandleNumbers(context, numbers, boxes, layout, falls, palette)
   drawHandles(context, handles, picture, palette)
+}
+
+/** A runner's block; where its run has gone wrong it fades under a sign of it. */
+function drawRunner(context: CanvasRenderingContext2D, actor: Actor, palette: Palette): void {
+  const { runner, end, body, beyond } = actor
+  if (!runner) return
+  const { fill } = palette.runners[runner.paletteIndex]!
+  const wrong = end && end.kind !== 'at-rest'
+  context.save()
+  if (wrong || beyond !== 0) context.globalAlpha = 0.25
+  fillBody(context, body, { paletteIndex: runner.paletteIndex, fill, mark: palette.sheet })
+  context.restore()
+  if (wrong) drawCross(context, actor, fill)
+  else if (beyond !== 0) drawChevron(context, actor, beyond, fill)
+}
+
+function drawCross(context: CanvasRenderingContext2D, { body }: Actor, colour: string): void {
+  const { x, y } = centre(body)
+  const r = 0.26 * body.size
+  context.strokeStyle = colour
+  context.lineWidth = 3.5
+  context.lineCap = 'round'
+  context.beginPath()
+  context.moveTo(x - r, y - r)
+  context.lineTo(x + r, y + r)
+  context.moveTo(x - r, y + r)
+  context.lineTo(x + r, y - r)
+  context.stroke()
+  context.lineCap = 'butt'
+}
+
+/** Out of the picture, that way. */
+function drawChevron(
+  context: CanvasRenderingContext2D,
+  { body }: Actor,
+  beyond: -1 | 1,
+  colour: string,
+): void {
+  const { along, out } = body.spot
+  const r = 0.24 * body.size
+  const tip = moved(centre(body), along, beyond * r)
+  const back = moved(tip, along, -beyond * r)
+  context.strokeStyle = colour
+  context.lineWidth = 3
+  context.lineJoin = 'miter'
+  context.beginPath()
+  for (const { x, y } of [moved(back, out, r), tip, moved(back, out, -r)]) context.lineTo(x, y)
+  context.stroke()
 }

@@ -1,6 +1,62 @@
 import type { Parameters, Scene } from '../physics/index.ts'
 import type { Point } from '../chart/geometry.ts'
-import type { Camera } from './camera.ts'
+
+/** How metres become pixels: x to the right, y upwards in metres, downwards in pixels. */
+export interface Camera {
+  /** Pixels to a metre. */
+  readonly scale: number
+  /** Where the world's origin lies [px]. */
+  readonly x: number
+  readonly y: number
+}
+
+/** A point of the world that must be seen, and the room around it that must be seen with it [px]. */
+export interface Subject extends Point {
+  readonly left: number
+  readonly right: number
+  readonly above: number
+  readonly below: number
+}
+
+/** So small and so large that no picture needs more [px/m]. */
+const SMALLEST = 1e-12
+const LARGEST = 1e12
+
+/**
+ * The largest camera that sees all subjects on a canvas, in its middle. It changes continuously with its subjects.
+ * Where their pixels alone need more than there is, the smallest.
+ */
+export function fit(subjects: readonly Subject[], width: number, height: number): Camera {
+  // Halving the range of its logarithm: what a subject needs grows with the scale, whatever room is around it.
+  let low = Math.log(SMALLEST)
+  let high = Math.log(LARGEST)
+  for (let i = 0; i < 48; i++) {
+    const middle = (low + high) / 2
+    const { left, right, top, bottom } = reach(subjects, Math.exp(middle))
+    if (right - left <= width && bottom - top <= height) low = middle
+    else high = middle
+  }
+  const scale = Math.exp(low)
+  const { left, right, top, bottom } = reach(subjects, scale)
+  return { scale, x: (width - left - right) / 2, y: (height - top - bottom) / 2 }
+}
+
+/** The box around all subjects at a scale, the world's origin in pixel (0, 0). */
+function reach(subjects: readonly Subject[], scale: number) {
+  let left = Infinity
+  let right = -Infinity
+  let top = Infinity
+  let bottom = -Infinity
+  for (const subject of subjects) {
+    const x = subject.x * scale
+    const y = -subject.y * scale
+    left = Math.min(left, x - subject.left)
+    right = Math.max(right, x + subject.right)
+    top = Math.min(top, y - subject.above)
+    bottom = Math.max(bottom, y + subject.below)
+  }
+  return { left, right, top, bottom }
+}
 
 /** A point of the track on the canvas. */
 export interface Spot extends Point {

@@ -67,6 +67,24 @@ const views: Readonly<Record<SceneId, SceneView>> = {
     // A stiff spring's whole motion is within millimetres.
     least: () => 0.01,
   },
+  crest: {
+    ...slope,
+    icon: 'M2 18L9 11Q16 4 23 11L30 18M4.6 12l4-4 3 3-4 4Z',
+    forwards: 'over the hill',
+    bend: ({ crestRadius, angle }) => ({
+      from: 0,
+      to: (2 * crestRadius! * angle! * Math.PI) / 180,
+      radius: -crestRadius!,
+      joined: true,
+    }),
+  },
+  belt: {
+    ...slope,
+    icon: 'M2 3V13M2 8H5L7 4L9 12L11 4L13 8H16M16 4h8v8h-8ZM4 14H28A2 2 0 0 1 28 18H4A2 2 0 0 1 4 14',
+    forwards: 'along the belt',
+    spring: true,
+    least: () => 0.05,
+  },
 }
 
 /** How pictures show a scene. */

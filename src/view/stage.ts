@@ -2,6 +2,7 @@ import { penOf } from '../chart/pen.ts'
 import { forgetWidths } from '../chart/text.ts'
 import { Backdrop } from './backdrop.ts'
 import { dragged } from './drag.ts'
+import type { ForceDrawing } from './forces.ts'
 import { held, layOut } from './layout.ts'
 import type { Layout } from './layout.ts'
 import { paint } from './paint.ts'
@@ -36,8 +37,10 @@ export class Stage {
   /**
    * Draws at the canvas's CSS size and the window's pixel ratio. What only the time has changed is quick to draw, and what
    * it has not changed is not drawn.
+   *
+   * @param forces what draws the picture's forces, once it is loaded
    */
-  draw(picture: Picture): void {
+  draw(picture: Picture, forces?: ForceDrawing): void {
     const { frozen, made, shown } = this
     const ratio = window.devicePixelRatio
     const isKept = made?.frozen === frozen && made.ratio === ratio
@@ -54,7 +57,7 @@ export class Stage {
       this.made = { frozen, ratio }
       this.cacheKey = undefined
     }
-    paint(this.context, picture, this.shown!, this.palette!, this.backdrop)
+    paint(this.context, picture, this.shown!, this.palette!, this.backdrop, forces)
   }
 
   /** To be called when the canvas's size, the page's colours or its fonts have changed: asking at every frame is slow. */

@@ -40,19 +40,16 @@ inEach((tab, open) => {
 
   test('the legend of a choice stands in the line of its buttons', async () => {
     await open()
-    const apart = await tab().run(async () => {
-      const figure =
-        document.querySelector('slide-figure[name="where-does-it-stop"]') ??
-        document.querySelector('slide-figure')!
-      figure.scrollIntoView({ block: 'center' })
-      const choice = await new Promise<Element>((found) => {
-        const look = () => {
-          const fieldset = document.querySelector('slide-figure .choice')
-          if (fieldset) found(fieldset)
-          else setTimeout(look, 100)
-        }
-        look()
+    const isThere = () =>
+      tab().run(() => {
+        if (document.querySelector('slide-figure .choice')) return true
+        // Each comes alive once it is near.
+        document.querySelector('slide-figure:not([live])')?.scrollIntoView({ block: 'center' })
+        return false
       })
+    await expect.poll(isThere, { timeout: 60_000 }).toBe(true)
+    const apart = await tab().run(() => {
+      const choice = document.querySelector('slide-figure .choice')!
       const range = document.createRange()
       range.selectNodeContents(choice.querySelector('legend')!)
       const legend = range.getBoundingClientRect()

@@ -1,6 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { dirname, join, normalize } from 'node:path'
 import { describe, expect, test } from 'vitest'
+import { modes } from '../../src/lab/state/modes.ts'
 import { engines } from '../../src/report/engines/index.ts'
 import { root } from './extending.ts'
 
@@ -115,6 +116,9 @@ describe('README', () => {
     const sections = readdirSync(join(root, 'src/tutorial/text')).filter((name) => /^\d/.test(name))
     expect(sections).toHaveLength(10)
     expect(readme).toContain('Ten short sections')
+    expect(modes).toHaveLength(5)
+    const [first, last] = [modes[0]!.label, modes.at(-1)!.label]
+    expect(readme.replace(/\s+/g, ' ')).toContain(`Five buttons lead from _${first}_ to _${last}_`)
   })
 })
 

@@ -21,7 +21,10 @@ function source(path: string): string {
   return readFileSync(join(root, path), 'utf8')
 }
 
-/** A text after a diff, each of whose parts must fit at exactly one place. */
+/**
+ * A text after a diff, each of whose parts must fit at exactly one place. A line of `…` parts it; within a line, `…` stands
+ * for what is there.
+ */
 function patched(path: string, text: string, diff: string): string {
   return diff.split(/^ …\n/m).reduce((before, part) => {
     const lines = part.trimEnd().split('\n')
@@ -30,8 +33,11 @@ function patched(path: string, text: string, diff: string): string {
         .filter((line) => !line.startsWith(sign))
         .map((line) => `${line.slice(1)}\n`)
         .join('')
-    const pieces = before.split(without('+'))
-    if (pieces.length !== 2) throw new Error(`${path} has ${pieces.length - 1} times:\n${part}`)
-    return pieces.join(without('-'))
+    const old = without('+').replace(/[.*+?^${}()|[\]\\]/g, '\\$&')
+    const places = [...before.matchAll(new RegExp(old.replaceAll('…', '(.*)'), 'g'))]
+    if (places.length !== 1) throw new Error(`${path} has ${places.length} times:\n${part}`)
+    const [{ 0: found, 1: elided = '', index }] = places as [RegExpExecArray]
+    const now = without('-').replace('…', () => elided)
+    return before.slice(0, index) + now + before.slice(index + found.length)
   }, text)
 }

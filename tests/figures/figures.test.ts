@@ -2,9 +2,8 @@ import { describe, expect, test } from 'vitest'
 import { initialValues, nearest, readValues } from '../../src/figures/shared/control.ts'
 import type { Control, Values } from '../../src/figures/shared/control.ts'
 import type { Figure } from '../../src/figures/shared/figure.ts'
-import { frameOf } from '../../src/figures/shared/frame.ts'
+import { frameOf, heightOf, openingView } from '../../src/figures/shared/still.ts'
 import { figures } from '../../src/figures/index.ts'
-import { heightOf, openingView } from '../../src/figures/shared/still.ts'
 import { parseExperiment, simulate } from '../../src/physics/index.ts'
 
 /** The values that a control's reader can reach which are most likely to go wrong. */
@@ -25,11 +24,10 @@ function variations({ controls, follow }: Figure): Values[] {
   )
 }
 
-describe.each(figures)('$id', ({ id, title, load }) => {
+describe.each(figures)('$id', ({ id, load }) => {
   test('its module is the one that the list names', async () => {
     const figure = await load()
     expect(figure.id).toBe(id)
-    expect(figure.title).toBe(title)
     expect(figure.pictured).toMatch(/^\S.{20,}\.$/)
   })
 

@@ -50,7 +50,7 @@ describe.each([hardCase('half-second-hitch'), hardCase('five-fps'), hardCase('wi
 
 describe('8 ten million frames', () => {
   const { id: name, experiments } = hardCase('long-clock')
-  const count = samples(10_000_000)
+  const count = samples(500_000, 10_000_000)
 
   it.each(experiments)('the run’s clock is rounded once: $frames.fps fps', (experiment) => {
     const { frames } = experiment as { frames: { fps: number } }
@@ -61,27 +61,24 @@ describe('8 ten million frames', () => {
     expect(run.stateTime.every((time, row) => time === run.time[row])).toBe(true)
   })
 
-  it.each([60, 144])('the clock counts ten million frames of 1/%i s', (fps) => {
+  it.each([60, 144])('the clock counts frames of 1/%i s, however many there are', (fps) => {
     const steady = frameClocks.find(({ id }) => id === 'steady')!
     const frames = steady.start({ fps } as never)
     for (let i = 0; i < count; i++) frames.next()
     measured(name, 'clock', [`${fps} fps`], Math.abs(frames.time - count / fps), { atMost: 0 })
   })
 
-  it.each([60, 144])(
-    'a game loop of ten million frames of 1/%i s is off by one rounding',
-    (fps) => {
-      const game = createRun(experiments[0]!)
-      const dt = 1 / fps
-      for (let i = 0; i < count; i++) game.frame(dt)
-      // Ten million times the rounded 1/fps, exactly, in units of 2⁻⁷⁰ s.
-      const sum = Number(BigInt(dt * 2 ** 70) * BigInt(count)) / 2 ** 70
-      const ulp = 2 ** (Math.floor(Math.log2(sum)) - 52)
-      measured(name, 'loop', [`${fps} fps`], Math.abs(game.time - sum), { atMost: ulp })
-      expect(game.frames).toBe(count)
-      expect(game.stateTime).toBe(game.time)
-    },
-  )
+  it.each([60, 144])('a game loop of many frames of 1/%i s is off by one rounding', (fps) => {
+    const game = createRun(experiments[0]!)
+    const dt = 1 / fps
+    for (let i = 0; i < count; i++) game.frame(dt)
+    // So many times the rounded 1/fps, exactly, in units of 2⁻⁷⁰ s.
+    const sum = Number(BigInt(dt * 2 ** 70) * BigInt(count)) / 2 ** 70
+    const ulp = 2 ** (Math.floor(Math.log2(sum)) - 52)
+    measured(name, 'loop', [`${fps} fps`], Math.abs(game.time - sum), { atMost: ulp })
+    expect(game.frames).toBe(count)
+    expect(game.stateTime).toBe(game.time)
+  })
 })
 
 describe('17 the spiral of death: steps of 1 ms, frames of 2 s', () => {
@@ -116,4 +113,4 @@ describe('17 the spiral of death: steps of 1 ms, frames of 2 s', () => {
   })
 })
 
-published('frames')
+published('frames', 'long-clock')

@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { describe, expect, it } from 'vitest'
 import { hardCases } from '../../src/measure/index.ts'
 import { holds } from '../../src/measure/hardCases/hardCase.ts'
-import { hardCaseClaims } from '../../src/measure/hardCases/index.ts'
+import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
 

@@ -6,6 +6,7 @@ import { build } from 'vite'
 import { afterAll, describe, expect, it } from 'vitest'
 import type * as physicsModule from '../../src/physics/index.ts'
 import type { Experiment, Run } from '../../src/physics/index.ts'
+import { samples } from '../samples.ts'
 
 /*
  * What is measured is the module as it is built, since that is what runs in a page and in a game: Vitest puts a getter
@@ -33,7 +34,7 @@ const { createRun, integrators, scenes, stoppings, traceFrame } = (await import(
   /* @vite-ignore */ pathToFileURL(join(folder, 'physics.mjs')).href
 )) as typeof physicsModule
 
-const STEPS = 1_000_000
+const STEPS = samples(300_000, 1_000_000)
 
 /** [s] So short that a block moves on through all of a test's frames, some 24 million at the most. */
 const FRAME = 1 / 1024
@@ -52,11 +53,11 @@ function advance(run: Run, count: number): void {
   }
 }
 
-/** One boxed number a step, of 12 to 16 bytes, takes a hundred times of what is allowed for what the engine does on the side. */
+/** One boxed number a step, of 12 to 16 bytes, takes a hundred times what is allowed for what the engine does on the side. */
 const NOTHING = STEPS / 8
 
 /**
- * Bytes that a million steps of a run take from the heap once the engine has compiled what they call. The young generation
+ * Bytes that STEPS steps of a run take from the heap once the engine has compiled what they call. The young generation
  * of the test process holds 64 MB, so that nothing is collected in between. A quiet round counts: the engine itself may use
  * memory at any time, and on a busy machine it takes a while to compile.
  */

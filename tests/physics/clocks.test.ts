@@ -34,20 +34,20 @@ describe('frame clocks', () => {
   })
 
   it.each([60, 144])(
-    'ten million steady frames at 1/%i s are not off by an ulp more than one rounding',
+    'the time of steady frames at 1/%i s is rounded once, however many there are',
     (fps) => {
       const frames = start({ kind: 'steady', fps })
-      const count = samples(10_000_000)
+      const count = samples(500_000, 10_000_000)
       for (let i = 0; i < count; i++) frames.next()
       expect(frames.time).toBe(count / fps)
     },
   )
 
-  it.each(choices)('ten million frames do not drift: %o', (choice) => {
+  it.each(choices)('many frames do not drift: %o', (choice) => {
     const frames = start(choice)
     // The sum of all durations as whole numbers of 2⁻⁸⁰ s, which is exact.
     let exact = 0n
-    const count = samples(10_000_000)
+    const count = samples(500_000, 10_000_000)
     const seen = new Map<number, number>()
     for (let i = 0; i < count; i++) {
       frames.next()

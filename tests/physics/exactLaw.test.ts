@@ -18,6 +18,8 @@ const ranges: Record<string, [number, number]> = {
   length: [0, 4],
   bendRadius: [0.5, 3],
   radius: [1, 3],
+  crestRadius: [0.5, 3],
+  beltSpeed: [-2, 2],
   stiffness: [0, 300],
   position: [-1.5, 4],
   speed: [-8, 8],
@@ -30,8 +32,10 @@ function acceleration(scene: Scene, given: Record<string, number>, s: number, v:
   const drive = gravity * Math.sin(slope) - (stiffness / mass) * s - (drag / mass) * v * Math.abs(v)
   const press = gravity * Math.cos(slope) + curvature * v * v
   // A block that stays is allowed to by the last bit of both forces.
-  if (v === 0 && Math.abs(drive) <= Math.max(muStatic, muKinetic) * press + 1e-13) return undefined
-  return drive - Math.sign(v) * muKinetic * press
+  const { beltSpeed = 0 } = given
+  if (v === beltSpeed && Math.abs(drive) <= Math.max(muStatic, muKinetic) * press + 1e-13)
+    return beltSpeed === 0 ? undefined : 0
+  return drive - Math.sign(v - beltSpeed) * muKinetic * press
 }
 
 /** The derivative at the middle of seven equally spaced values, of sixth order. */
@@ -56,15 +60,22 @@ describe.each(scenes)('the exact motion on the scene $id', (scene: Scene) => {
         const states = [-3, -2, -1, 0, 1, 2, 3].map((k) => motion(t + k * h, { s: 0, v: 0 }))
         const { s, v } = states[3]!
         const [first, last] = [states[0]!, states[6]!]
+        const { beltSpeed = 0 } = given
+        const stands = states.map((each, k) => k > 0 && each.s === states[k - 1]!.s && each.v !== 0)
         const jumps =
-          states.some((each) => Math.sign(each.v) !== Math.sign(v)) ||
+          states.some((each) => Math.sign(each.v - beltSpeed) !== Math.sign(v - beltSpeed)) ||
+          (stands[6] && !stands[1]) ||
           joints.some((joint) => Math.sign(first.s - joint) !== Math.sign(last.s - joint))
         if (jumps) continue
         checked++
         const a = acceleration(scene, given, s, v)
-        if (Math.abs(s) >= end) {
-          // Left the track: nothing changes any more.
+        if (Math.abs(s) >= end || stands[6]) {
+          // Left the track, at its end or where the press falls to 0: nothing changes any more.
           expect(first).toEqual(last)
+          // At a joint, on the piece ahead.
+          const { slope, curvature } = scene.place(given, s + 1e-9 * Math.sign(v))
+          const press = given.gravity! * Math.cos(slope) + curvature * v * v
+          if (Math.abs(s) < end) expect(press).toBeLessThanOrEqual(1e-8 * given.gravity!)
         } else if (a === undefined) {
           expect([first, last]).toEqual([
             { s, v: 0 },

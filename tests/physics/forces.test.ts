@@ -17,6 +17,8 @@ const experiments: Experiment[] = [
   { scene: 'run-out', parameters: { mass: 1.3, angle: 50 } },
   { scene: 'half-pipe', parameters: { mass: 0.7, radius: 4, muKinetic: 0.3, muStatic: 0.4 } },
   { scene: 'spring', parameters: { mass: 4, stiffness: 90 } },
+  { scene: 'crest', parameters: { mass: 1.7, angle: 25, crestRadius: 4 } },
+  { scene: 'belt', parameters: { mass: 2, beltSpeed: 0.8 } },
 ]
 
 describe('the force vectors', () => {
@@ -60,7 +62,7 @@ describe('the force vectors', () => {
     it('friction opposes the sliding with μk N', () => {
       for (const state of states) {
         const { friction, normal, along } = forcesAt(experiment, state)
-        const expected = -Math.sign(state.v) * law.muKinetic * length(normal)
+        const expected = -Math.sign(state.v - law.belt) * law.muKinetic * length(normal)
         expect(dot(friction, along)).toBeCloseTo(expected, 12)
       }
     })
@@ -88,11 +90,11 @@ describe('the force vectors', () => {
 
   it('of a block under the naive rule, at exactly v = 0, know no friction: it can’t be held', () => {
     const slope: Experiment = { scene: 'ramp', parameters: { angle: 10 }, stopping: 'naive' }
-    const { friction, rubbing } = forcesAt(slope, { s: 0, v: 0 })
+    const { friction, frictionKind } = forcesAt(slope, { s: 0, v: 0 })
     expect(length(friction)).toBe(0)
-    expect(rubbing).toBe('none')
-    expect(forcesAt(slope, { s: 0, v: 1 }).rubbing).toBe('sliding')
-    expect(forcesAt({ ...slope, stopping: 'clamped' }, { s: 0, v: 0 }).rubbing).toBe('held')
+    expect(frictionKind).toBe('none')
+    expect(forcesAt(slope, { s: 0, v: 1 }).frictionKind).toBe('sliding')
+    expect(forcesAt({ ...slope, stopping: 'clamped' }, { s: 0, v: 0 }).frictionKind).toBe('held')
   })
 
   it('hold a block up to the very limit of static friction', () => {
@@ -101,15 +103,15 @@ describe('the force vectors', () => {
       scene: 'spring',
       parameters: { angle: 0, stiffness: 4, gravity: 8, muStatic: 0.25, muKinetic: 0.25 },
     }
-    expect(forcesAt(limit, { s: 0.5, v: 0 }).rubbing).toBe('held')
-    expect(forcesAt(limit, { s: 0.5 + 1e-15, v: 0 }).rubbing).toBe('sliding')
+    expect(forcesAt(limit, { s: 0.5, v: 0 }).frictionKind).toBe('held')
+    expect(forcesAt(limit, { s: 0.5 + 1e-15, v: 0 }).frictionKind).toBe('sliding')
   })
 
   it('are none of friction where nothing rubs, at rest or sliding', () => {
     const ice: Experiment = { scene: 'ramp', parameters: { angle: 0, muStatic: 0, muKinetic: 0 } }
     for (const v of [0, 1, -1]) {
-      const { rubbing, friction } = forcesAt(ice, { s: 0, v })
-      expect(rubbing).toBe('none')
+      const { frictionKind, friction } = forcesAt(ice, { s: 0, v })
+      expect(frictionKind).toBe('none')
       expect(length(friction)).toBe(0)
     }
   })

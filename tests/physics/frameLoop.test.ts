@@ -79,6 +79,7 @@ const policies: Timestep[] = [
   { kind: 'capped', cap: 0.03 },
   { kind: 'substeps', step: 1 / 170 },
   { kind: 'fixed', step: 1 / 170 },
+  { kind: 'tolerance', tolerance: 1e-6 },
 ]
 
 describe('the time of the outcome', () => {

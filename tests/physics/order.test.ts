@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { fittedOrder, trajectoryErrors } from '../../src/measure/index.ts'
 import { integrators, simulate } from '../../src/physics/index.ts'
 import type { Experiment, Integrator, IntegratorId, StoppingId } from '../../src/physics/index.ts'
+import { samples } from '../samples.ts'
 
 /** The power of the step with which the RMS error over some runs falls; each frame is cut into `parts` steps. */
 function measuredOrder(
@@ -108,7 +109,7 @@ describe.each(situations)('with located stops, $name', ({ experiment, speedMatte
 })
 
 /** The size of the error depends on where in a step the jump falls, so it is taken over many runs, their starts spread evenly. */
-const starts = Array.from({ length: 64 }, (_, i) => (i * 0.6180339887) % 1)
+const starts = Array.from({ length: samples(24, 64) }, (_, i) => (i * 0.6180339887) % 1)
 
 const jumps: { name: string; experiments: Experiment[] }[] = [
   {

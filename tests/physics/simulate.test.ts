@@ -20,6 +20,7 @@ const allTimesteps: Timestep[] = [
   { kind: 'capped', cap: 0.05 },
   { kind: 'substeps', step: 1 / 100 },
   { kind: 'fixed', step: 1 / 60, maxSteps: 20 },
+  { kind: 'tolerance', tolerance: 1e-4 },
 ]
 const allFrames: FramesChoice[] = [
   { kind: 'steady', fps: 30 },

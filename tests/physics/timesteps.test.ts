@@ -170,6 +170,7 @@ describe('timestep policies', () => {
       'capped',
       'substeps',
       'fixed',
+      'tolerance',
     ])
   })
 })

@@ -1,6 +1,7 @@
 import { scenes } from '../../src/physics/index.ts'
 import type { Experiment, Outcome, SceneId } from '../../src/physics/index.ts'
 import bendCases from './truth-bends.json'
+import newCases from './truth-new-scenes.json'
 import cases from './truth.json'
 
 /** A motion that was computed to 20 digits by independent means: see README.md beside this file. */
@@ -38,6 +39,20 @@ export const bends: readonly BendCase[] = bendCases.map((each, i) => ({
   ...read(each, i),
   condition: each.condition,
   time: each.time === null ? undefined : Number(each.time),
+}))
+
+export interface NewCase extends Truth {
+  /** When the block takes off from a crest [s]; undefined where it does not, and on a belt. */
+  time: number | undefined
+  /** When a spring tears the block off the belt [s]; empty where it never sticks, and on a crest. */
+  releases: readonly number[]
+}
+
+/** Motions over a crest and on a belt. */
+export const newScenes: readonly NewCase[] = newCases.map((each, i) => ({
+  ...read(each, i),
+  time: each.time ? Number(each.time) : undefined,
+  releases: (each.releases ?? []).map(Number),
 }))
 
 function read(

@@ -1,7 +1,6 @@
 import { expect, it } from 'vitest'
 import { simulate } from '../../src/physics/index.ts'
-import { bends } from './bends.ts'
-import { last, relative } from './truth.ts'
+import { bends, last, relative } from './truth.ts'
 
 it.each(bends)('rk8 in steps of 1/2000 s ends where a bend ends in truth: $name', (each) => {
   const run = simulate({

@@ -1,6 +1,7 @@
 import { execFileSync } from 'node:child_process'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
+import { isLong } from '../samples.ts'
 
 function bench(...options: string[]): string {
   return execFileSync('npm', ['run', '--silent', 'bench', '--', ...options], {
@@ -10,30 +11,26 @@ function bench(...options: string[]): string {
   })
 }
 
-test(
-  'npm run bench -- --quick runs everything and says what it found',
-  { timeout: 180_000 },
-  () => {
-    const printed = bench('--quick')
-    for (const part of [
-      'Measured on',
-      'Time of a step: one block slides down one ramp',
-      'Time of a step: run.frame',
-      'Error at the end, at 10 fps',
-      'The cheapest way to an error',
-      'Targets',
-    ])
-      expect(printed).toContain(part)
-    for (const engine of ['matter-js', 'planck', 'rapier2d', 'box2d-wasm', 'odex'])
-      expect(printed).toContain(engine)
-    expect(printed).not.toContain('Not run')
-    expect(printed).not.toMatch(/NaN|undefined|Infinity/)
-  },
-)
+test('npm run bench -- --quick runs everything and says what it found', () => {
+  const printed = bench('--quick')
+  for (const part of [
+    'Measured on',
+    'Time of a step: one block slides down one ramp',
+    'Time of a step: run.frame',
+    'Error at the end, at 10 fps',
+    'The cheapest way to an error',
+    'Targets',
+  ])
+    expect(printed).toContain(part)
+  for (const engine of ['matter-js', 'planck', 'rapier2d', 'box2d-wasm', 'odex'])
+    expect(printed).toContain(engine)
+  expect(printed).not.toContain('Not run')
+  expect(printed).not.toMatch(/NaN|undefined|Infinity/)
+})
 
-test(
+// It is the measuring of the test above, twice.
+test.runIf(isLong)(
   'npm run bench -- --against compares every scene and method with another checkout',
-  { timeout: 180_000 },
   () => {
     const printed = bench('--against', '.', '--quick')
     expect(printed.match(/^run\.frame, one call a step/gm)).toHaveLength(3)

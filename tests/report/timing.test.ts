@@ -3,7 +3,7 @@ import { bytesOf } from '../../src/report/timing/bytes.ts'
 import { median, ratioOf, timeRounds, timingOf } from '../../src/report/timing/rounds.ts'
 import { notes } from '../../src/report/engines/run.ts'
 import { engineScenes } from '../../src/report/engines/scenes.ts'
-import { eachInMetres, metres, nanoseconds, plain } from '../../src/report/text/figures.ts'
+import { eachInMetres, metres, nanoseconds, plain } from '../../src/report/text/numbers.ts'
 
 describe('rounds', () => {
   it('are as many as asked for, of each work, prepared before each run', () => {

@@ -1,13 +1,8 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
-import { describe, expect, test } from 'vitest'
+import { expect, test } from 'vitest'
+import { some } from '../samples.ts'
+import { violationsOn } from './axe.ts'
 import { openPage } from './page.ts'
-
-/** What axe finds wrong, with the elements. The tutorial below the lab has tests of its own. */
-async function violationsOn(page: Page): Promise<unknown[]> {
-  const { violations } = await new AxeBuilder({ page }).exclude('.tutorial').analyze()
-  return violations.map(({ id, help, nodes }) => [id, help, ...nodes.map((node) => node.html)])
-}
 
 /** Every runner that there is room for, of every clock and timestep, one of them hidden. */
 const RUNNERS = [
@@ -30,29 +25,26 @@ async function openEverything(page: Page): Promise<void> {
   await page.locator('slide-lab-plots table').first().waitFor()
 }
 
-describe.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', (colorScheme) => {
-  test('at the start', async () => {
-    const { page } = await openPage({ colorScheme })
-    expect(await violationsOn(page)).toEqual([])
-  })
-
-  test.each([1280, 390])('at %d px with everything open', async (width) => {
-    const { page, problems } = await openPage({ path: `#runners=${RUNNERS}`, width, colorScheme })
-    await openEverything(page)
-    await page.getByRole('button', { name: 'Share' }).click()
-    expect(await violationsOn(page)).toEqual([])
-    await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 1 })
-    await page.getByRole('textbox', { name: 'Angle' }).fill('steep')
-    await page.keyboard.press('Enter')
-    await page.getByRole('alert').waitFor()
-    expect(await page.locator('.preset-note').innerText()).not.toBe('')
-    expect(await violationsOn(page)).toEqual([])
-    expect(problems).toEqual([])
-  })
-
-  test('over what a bad link says', async () => {
-    const { page } = await openPage({ path: '#angle=abc&foo=1', width: 390, colorScheme })
-    await page.getByRole('alert').waitFor()
-    expect(await violationsOn(page)).toEqual([])
-  })
+test.each(
+  some(
+    [
+      ['light', 1280],
+      ['light', 390],
+      ['dark', 1280],
+      ['dark', 390],
+    ] as const,
+    ...[0, 3],
+  ),
+)('axe finds nothing in the %s theme at %d px with everything open', async (colorScheme, width) => {
+  const { page, problems } = await openPage({ path: `#runners=${RUNNERS}`, width, colorScheme })
+  await openEverything(page)
+  await page.getByRole('button', { name: 'Share' }).click()
+  expect(await violationsOn(page)).toEqual([])
+  await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 1 })
+  await page.getByRole('textbox', { name: 'Angle' }).fill('steep')
+  await page.keyboard.press('Enter')
+  await page.getByRole('alert').waitFor()
+  expect(await page.locator('.preset-note').innerText()).not.toBe('')
+  expect(await violationsOn(page)).toEqual([])
+  expect(problems).toEqual([])
 })

@@ -4,7 +4,7 @@ import { openPage } from './page.ts'
 
 /** The page with nothing but its lab alive: what that loads afterwards waits until it is let go. */
 async function openEarly(width = 1280) {
-  const { page, problems } = await openPage({ path: '404.html', width })
+  const { page, problems } = await openPage({ path: '404.html', width, reducedMotion: 'reduce' })
   const html = await (await page.request.get(inject('address'))).text()
   const waiting: Route[] = []
   let held = true

@@ -1,19 +1,14 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
-import { beforeAll, expect, inject, test } from 'vitest'
+import { expect, inject, test } from 'vitest'
 import type { SlideFigureElement, SlideLabElement } from '../../src/elements.ts'
 import { simulate } from '../../src/physics/index.ts'
-import { buildElements } from './hosts.ts'
+import { violationsOn } from './axe.ts'
+import { builtElements } from './hosts.ts'
 import { openPage } from './page.ts'
 
 /* The elements in other people's pages, from the one file that such a page loads. */
 
-let module: string
-let files: string[]
-
-beforeAll(() => {
-  ;({ module, files } = buildElements())
-}, 180_000)
+const { module, files } = builtElements()
 
 /** Styles of somebody who does not know what else will be in the page. */
 const wild = `
@@ -294,9 +289,5 @@ test('axe finds nothing in a page with both', async () => {
   )
   await page.locator('slide-figure').scrollIntoViewIfNeeded()
   await page.locator('slide-figure [live]').waitFor()
-  const { violations } = await new AxeBuilder({ page })
-    .include('slide-lab')
-    .include('slide-figure')
-    .analyze()
-  expect(violations.map(({ id, nodes }) => [id, nodes[0]!.html])).toEqual([])
+  expect(await violationsOn(page, 'slide-lab', 'slide-figure')).toEqual([])
 })

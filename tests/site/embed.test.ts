@@ -1,5 +1,5 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, test } from 'vitest'
+import { violationsOn } from './axe.ts'
 import { openPage } from './page.ts'
 
 test('the figure is there, and nothing else', async () => {
@@ -60,7 +60,6 @@ test.each([
     // The height that the embed code asks for is enough but on phones.
     if (width >= 700) expect(scrollHeight).toBe(height)
     expect((await page.locator('slide-stage').boundingBox())!.height).toBeGreaterThan(230)
-    const { violations } = await new AxeBuilder({ page }).analyze()
-    expect(violations.map(({ id, nodes }) => [id, ...nodes.map((node) => node.html)])).toEqual([])
+    expect(await violationsOn(page)).toEqual([])
   },
 )

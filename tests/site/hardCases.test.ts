@@ -1,6 +1,6 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import { describe, expect, test } from 'vitest'
 import { hardCases } from '../../src/measure/index.ts'
+import { violationsOn } from './axe.ts'
 import { openPage } from './page.ts'
 
 describe('the hard cases on the page', () => {
@@ -11,8 +11,7 @@ describe('the hard cases on the page', () => {
     'axe finds nothing at %i px, %s, and nothing is too wide',
     async (width, colorScheme) => {
       const { page, problems } = await openPage({ width, colorScheme })
-      const { violations } = await new AxeBuilder({ page }).include('#hard-cases').analyze()
-      expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
+      expect(await violationsOn(page, '#hard-cases')).toEqual([])
       const excess = await page
         .locator('.hard-cases :is(.table, th, td)')
         .evaluateAll((boxes) => Math.max(...boxes.map((box) => box.scrollWidth - box.clientWidth)))

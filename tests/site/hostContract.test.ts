@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { LitElement } from 'lit'
 import type { Page } from 'playwright-core'
-import { beforeAll, expect, test } from 'vitest'
+import { expect, test } from 'vitest'
 import type { Manifest } from '../elements/manifest.ts'
-import { buildElements, openAt, serve } from './hosts.ts'
+import { builtElements, openAt, serve } from './hosts.ts'
 
 /* The manifest against the elements themselves: what it says is there, and there is nothing that it does not say. */
 
@@ -16,10 +16,7 @@ const tags = ['slide-lab', 'slide-figure'] as const
 const names = (list: readonly { name: string }[]) => list.map(({ name }) => name).sort()
 const sorted = (list: Iterable<string>) => [...new Set(list)].sort()
 
-let module: string
-beforeAll(() => {
-  ;({ module } = buildElements())
-}, 180_000)
+const { module } = builtElements()
 
 async function openHost(body: string) {
   const html = `<!doctype html><html lang="en"><title>Blog</title>

@@ -1,13 +1,10 @@
 import type { Frame, Page } from 'playwright-core'
-import { beforeAll, describe, expect, test } from 'vitest'
-import { buildElements, openAt, serve, serveSite } from './hosts.ts'
+import { describe, expect, test } from 'vitest'
+import { builtElements, openAt, serve, serveSite } from './hosts.ts'
 
 /* embed.html in other people's pages: from another origin, sandboxed, and under a policy that forbids what it can. */
 
-let module: string
-beforeAll(() => {
-  ;({ module } = buildElements())
-}, 180_000)
+const { module } = builtElements()
 
 const SANDBOX = 'sandbox="allow-scripts"'
 

@@ -5,7 +5,7 @@ import type { Page } from 'playwright-core'
 import { build } from 'vite'
 import { afterAll, beforeAll, describe, expect, test } from 'vitest'
 import type { SlideFigureElement, SlideLabElement } from '../../src/elements.ts'
-import { buildElements, openAt, serve } from './hosts.ts'
+import { builtElements, openAt, serve } from './hosts.ts'
 
 /* The elements in pages that React and Vue make: what is set comes down, what happens comes up, and it ends. */
 
@@ -125,7 +125,7 @@ let folder: string
 beforeAll(() => {
   mkdirSync(cache, { recursive: true })
   folder = mkdtempSync(join(cache, 'hosts-'))
-  writeFileSync(join(folder, 'slide-lab.js'), buildElements().module)
+  writeFileSync(join(folder, 'slide-lab.js'), builtElements().module)
 }, 180_000)
 
 afterAll(() => rmSync(folder, { recursive: true, force: true }))

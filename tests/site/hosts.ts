@@ -1,8 +1,6 @@
-import { execFileSync } from 'node:child_process'
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs'
+import { readdirSync, readFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
-import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import { inject, onTestFinished } from 'vitest'
@@ -10,26 +8,12 @@ import { openPage } from './page.ts'
 
 /* Other people's pages: servers of their own, and what they load from the site. */
 
-const root = join(import.meta.dirname, '../..')
-
-/** The module of the elements, built as `npm run build` does, and the names of all files that this writes. */
-export function buildElements(): { module: string; files: string[] } {
-  const folder = mkdtempSync(join(tmpdir(), 'any-frame-rate-elements-'))
-  try {
-    const vite = join(root, 'node_modules/vite/bin/vite.js')
-    const options = ['-c', 'vite.elements.config.ts', '--outDir', folder, '--logLevel', 'warn']
-    execFileSync(process.execPath, [vite, 'build', ...options], {
-      cwd: root,
-      // Vitest's own NODE_ENV would build the development elements.
-      env: { ...process.env, NODE_ENV: 'production' },
-      stdio: ['ignore', 'ignore', 'inherit'],
-    })
-    return {
-      module: readFileSync(join(folder, 'slide-lab.js'), 'utf8'),
-      files: readdirSync(folder),
-    }
-  } finally {
-    rmSync(folder, { recursive: true, force: true })
+/** The module of the elements as it was built for the tests, and the names of all files that this wrote. */
+export function builtElements(): { module: string; files: string[] } {
+  const folder = inject('elements')
+  return {
+    module: readFileSync(join(folder, 'slide-lab.js'), 'utf8'),
+    files: readdirSync(folder),
   }
 }
 

@@ -1,8 +1,8 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, test } from 'vitest'
 import { simulate, traceFrame } from '../../src/physics/index.ts'
 import { experimentOf } from '../../src/lab/state/check.ts'
 import { numeral } from '../../src/chart/magnitudes.ts'
+import { violationsOn } from './axe.ts'
 import { openLab } from './labPage.ts'
 
 async function openInspector(...options: Parameters<typeof openLab>) {
@@ -183,10 +183,7 @@ test.each([
       if (await inspector.getByRole('button', { name: 'Where it stopped' }).count())
         await press('Where it stopped')
       else await frame('First')
-      const { violations } = await new AxeBuilder({ page })
-        .include('slide-step-inspector')
-        .analyze()
-      expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
+      expect(await violationsOn(page, 'slide-step-inspector')).toEqual([])
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
       expect(problems).toEqual([])
     }

@@ -24,7 +24,7 @@ test('play goes from the start to the end and stops there, pause holds', async (
 test('a slower speed takes longer', async () => {
   const lab = await openLab()
   const { now } = lab
-  await lab.page.getByLabel('Playing speed').selectOption('¹⁄₁₆×')
+  await lab.page.getByLabel('Playback speed').selectOption('¹⁄₁₆×')
   await lab.page.getByRole('button', { name: 'Play', exact: true }).click()
   await lab.page.waitForTimeout(1200)
   expect(await now()).toBeGreaterThan(0.01)
@@ -40,16 +40,16 @@ test('steps go to the next and the previous frame of any visible runner', async 
   expect(await now()).toBe(0)
   const times: number[] = []
   for (let i = 0; i < 5; i++) {
-    await press('One frame on')
+    await press('One frame forward')
     times.push(await now())
   }
   expect(times).toEqual([1, 2, 3, 4, 5].map((n) => n / 120))
   await press('One frame back')
   expect(await now()).toBe(4 / 120)
   await page.getByRole('button', { name: 'Hide 120 fps' }).click()
-  await press('One frame on')
+  await press('One frame forward')
   expect(await now()).toBe(2 / 30)
-  await press('One frame on')
+  await press('One frame forward')
   expect(await now()).toBe(0.1)
   await press('To the end')
   expect(await now()).toBe(1)

@@ -1,58 +1,65 @@
-import { describe, expect, test } from 'vitest'
+import { expect, test } from 'vitest'
 import { sweepMethods } from '../../src/measure/index.ts'
+import { some } from '../samples.ts'
 import { openLab } from './labPage.ts'
 import { holdWorkers, openMeasures } from './measurePage.ts'
 
-describe.each([
-  [1440, false],
-  [768, false],
-  [768, true],
-  [390, true],
-  [390, false],
-] as const)('at %i px (touch: %s) measuring moves nothing', (width, hasTouch) => {
-  // One line of advice; as many as there can be, and what leaves the track; a map with theory's line.
-  test.each(['scene=ramp', 'scene=half-pipe&runners=10;30;120', 'scene=spring'])(
-    'below %s',
-    async (address) => {
-      const lab = await openMeasures(address, { width, hasTouch, prepare: holdWorkers })
-      const { page } = lab
-      const views = ['Speed against error', 'Frame-rate map', 'Frame-rate spread']
-      for (const view of address.includes('half-pipe')
-        ? [...views, 'Time on this device']
-        : views) {
-        await page.evaluate(() => (window as unknown as { hold: () => void }).hold())
-        if (view === 'Time on this device') await lab.view(views[0]!)
-        if (view !== views[0]) await lab.view(view)
-        await page.getByRole('progressbar', { name: 'Measuring' }).waitFor()
-        const before = await page.evaluate(() => {
-          const places = new Set<number>()
-          Object.assign(window, { places })
-          const measures = document.querySelector('slide-lab-measures')!
-          const look = () => {
-            const { top } = measures.nextElementSibling!.getBoundingClientRect()
-            places.add(Math.round(10 * (top + scrollY)) / 10)
-          }
-          new ResizeObserver(look).observe(measures.firstElementChild!)
-          look()
-          return [...places]
-        })
-        await page.evaluate(() => (window as unknown as { letGo: () => void }).letGo())
-        // Errors are measured before times are.
-        if (view === 'Time on this device')
-          await expect
-            .poll(() => page.locator('slide-speed-diagram .curve').count(), { timeout: 20_000 })
-            .toBe(sweepMethods.length)
-        await lab.ready()
-        await page.locator('slide-lab-measures .measure:not([data-busy])').waitFor()
-        const after = await page.evaluate(() => [
-          ...(window as unknown as { places: Set<number> }).places,
-        ])
-        expect(after, view).toEqual(before)
-      }
-      expect(lab.problems).toEqual([])
-    },
-  )
-})
+const places = [
+  { width: 1440, hasTouch: false },
+  { width: 768, hasTouch: false },
+  { width: 768, hasTouch: true },
+  { width: 390, hasTouch: true },
+  { width: 390, hasTouch: false },
+]
+
+// As many lines of advice as there can be, and what leaves the track; one line; a map with theory's line.
+const addresses = ['scene=half-pipe&runners=10;30;120', 'scene=ramp', 'scene=spring']
+
+test.each(
+  some(
+    addresses.flatMap((address) => places.map((place) => ({ ...place, address }))),
+    // Every place once, and all views at both ends of widths.
+    ...[0, 3, 6, 9, 12],
+  ),
+)(
+  'at $width px (touch: $hasTouch) measuring moves nothing below $address',
+  async ({ width, hasTouch, address }) => {
+    const lab = await openMeasures(address, { width, hasTouch, prepare: holdWorkers })
+    const { page } = lab
+    const views = ['Speed against error', 'Frame-rate map', 'Frame-rate spread']
+    for (const view of address.includes('half-pipe') ? [...views, 'Time on this device'] : views) {
+      await page.evaluate(() => (window as unknown as { hold: () => void }).hold())
+      if (view === 'Time on this device') await lab.view(views[0]!)
+      if (view !== views[0]) await lab.view(view)
+      await page.getByRole('progressbar', { name: 'Measuring' }).waitFor()
+      const before = await page.evaluate(() => {
+        const places = new Set<number>()
+        Object.assign(window, { places })
+        const measures = document.querySelector('slide-lab-measures')!
+        const look = () => {
+          const { top } = measures.nextElementSibling!.getBoundingClientRect()
+          places.add(Math.round(10 * (top + scrollY)) / 10)
+        }
+        new ResizeObserver(look).observe(measures.firstElementChild!)
+        look()
+        return [...places]
+      })
+      await page.evaluate(() => (window as unknown as { letGo: () => void }).letGo())
+      // Errors are measured before times are.
+      if (view === 'Time on this device')
+        await expect
+          .poll(() => page.locator('slide-speed-diagram .curve').count(), { timeout: 20_000 })
+          .toBe(sweepMethods.length)
+      await lab.ready()
+      await page.locator('slide-lab-measures .measure:not([data-busy])').waitFor()
+      const after = await page.evaluate(() => [
+        ...(window as unknown as { places: Set<number> }).places,
+      ])
+      expect(after, view).toEqual(before)
+    }
+    expect(lab.problems).toEqual([])
+  },
+)
 
 test.each([1440, 390])('at %i px the text’s own diagram keeps its height too', async (width) => {
   const { page, problems } = await openLab('', { width, hasTouch: width < 800 })

@@ -13,6 +13,8 @@ type PageOptions = {
   reducedMotion?: 'reduce' | 'no-preference'
   hasTouch?: boolean
   javaScriptEnabled?: boolean
+  /** Leaves the opening playing, which a touch ends otherwise. */
+  opening?: boolean
   /** The page's clock is the test's, who may halt it and let hours pass: `page.clock`. */
   ownClock?: boolean
 }
@@ -38,7 +40,14 @@ afterAll(() => browser.close())
  * closed with it; one opened in a hook is closed with its file.
  */
 export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
-  const { path = '', width = 1280, height = 800, ownClock = false, ...others } = options
+  const {
+    path = '',
+    width = 1280,
+    height = 800,
+    ownClock = false,
+    opening = false,
+    ...others
+  } = options
   const settings: BrowserContextOptions = { viewport: { width, height }, ...others }
   const context = await browser.newContext(settings)
   const close = () => context.close()
@@ -50,6 +59,10 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
   await page.goto(new URL(path, inject('address')).href, { waitUntil: 'load' })
   await page.evaluate(() => document.fonts.ready.then(() => undefined))
   if (options.javaScriptEnabled !== false) await whole(page)
+  if (!opening)
+    await page.evaluate(() =>
+      document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel')),
+    )
   return { page, problems, close }
 }
 

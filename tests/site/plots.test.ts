@@ -1,58 +1,15 @@
-import { AxeBuilder } from '@axe-core/playwright'
-import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
-import type { Drawing } from '../../src/panels/plots/curves.ts'
-import { boxOf } from '../../src/panels/plots/chart.ts'
 import { experimentOf } from '../../src/lab/state/check.ts'
 import { opening } from '../../src/lab/state/opening.ts'
 import { exact, simulate } from '../../src/physics/index.ts'
+import { violationsOn } from './axe.ts'
 import { openLab } from './labPage.ts'
+import { at, openPlots } from './plotsPage.ts'
 
 const runs = opening.runners.map((runner) => simulate(experimentOf(opening, runner)))
 const truth = (time: number) => exact(experimentOf(opening, opening.runners[0]!), time)
-
-/** A lab whose plots can be seen and are drawn. */
-async function openPlots(address = '', options: Parameters<typeof openLab>[1] = {}) {
-  const lab = await openLab(address, options)
-  const { page } = lab
-  await page.locator('slide-lab-plots .multiples').evaluate((each) => each.scrollIntoView())
-  await page.locator('slide-lab-plot[data-plot=position] canvas.chart').waitFor()
-  const plot = (id: string) => page.locator(`slide-lab-plot[data-plot=${id}]`)
-  return {
-    ...lab,
-    plot,
-    area: (id: string) => plot(id).locator('.area'),
-    values: (id: string) => plot(id).locator('.value').allInnerTexts(),
-    /** What a plot draws. */
-    drawing: (id: string) =>
-      page.evaluate(
-        (id) =>
-          (
-            document.querySelector(`slide-lab-plot[data-plot=${id}]`) as unknown as {
-              drawing: { curves: Drawing['curves'] }
-            }
-          ).drawing.curves,
-        id,
-      ),
-    pixelsOf: (id: string, layer: string) =>
-      plot(id)
-        .locator(layer)
-        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL()),
-  }
-}
-
 const CURSOR = 'canvas.cursor'
 const CHART = 'canvas.chart'
-
-/** Where a point stands in the window, given as parts of the box in which a plot has its curves. */
-async function at(page: Page, id: string, across: number, down = 0.5) {
-  const area = (await page.locator(`slide-lab-plot[data-plot=${id}] .area`).boundingBox())!
-  const { left, top, right, bottom } = boxOf(area.width, area.height)
-  return {
-    x: area.x + left + across * (right - left),
-    y: area.y + top + down * (bottom - top),
-  }
-}
 
 test('plots are drawn when they come near, in a box that was as high before', async () => {
   const lab = await openLab('', { height: 400 })
@@ -291,10 +248,7 @@ test('another theme draws other colours', async () => {
 test.each(['light', 'dark'] as const)('axe finds nothing in the %s theme', async (colorScheme) => {
   const lab = await openPlots('', { colorScheme })
   await lab.plot('phase').locator('summary').click()
-  const { violations } = await new AxeBuilder({ page: lab.page })
-    .include('slide-lab-plots')
-    .analyze()
-  expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([])
+  expect(await violationsOn(lab.page, 'slide-lab-plots')).toEqual([])
   expect(lab.problems).toEqual([])
 })
 

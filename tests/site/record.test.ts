@@ -1,6 +1,6 @@
-import { AxeBuilder } from '@axe-core/playwright'
 import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
+import { violationsOn } from './axe.ts'
 import { openLab } from './labPage.ts'
 
 type Recorder = HTMLElement & {
@@ -127,21 +127,17 @@ test.each([
   async (colorScheme, width) => {
     const { page, problems } = await openLab('', { colorScheme, width })
     const { press, sample, recorder } = parts(page)
-    const violations = async () => {
-      const { violations } = await new AxeBuilder({ page }).include('slide-record-frames').analyze()
-      return violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])
-    }
     await page.evaluate(
       () => ((document.querySelector('slide-record-frames') as Recorder).length = 1000),
     )
     await press('Record my frames')
-    expect(await violations()).toEqual([])
+    expect(await violationsOn(page, 'slide-record-frames')).toEqual([])
     await press('Cancel')
     await useSteadyFrames(page)
     await press('Record my frames')
     await expect.poll(() => sample.count()).toBe(1)
     await recorder.getByText('As a table').click()
-    expect(await violations()).toEqual([])
+    expect(await violationsOn(page, 'slide-record-frames')).toEqual([])
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
     expect(problems).toEqual([])
   },

@@ -1,5 +1,6 @@
 /** Once for all site tests: a fresh build, served, and a browser to look at it. */
-import { execFileSync } from 'node:child_process'
+import { spawn } from 'node:child_process'
+import { once } from 'node:events'
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
@@ -13,6 +14,8 @@ declare module 'vitest' {
     address: string
     /** The folder that it was built into. */
     folder: string
+    /** The folder that the elements' module was built into. */
+    elements: string
     /** Where the browser listens for tests. */
     browser: string
     /** It is the one that npm brings along. */
@@ -24,15 +27,22 @@ const root = resolve(import.meta.dirname, '../..')
 
 export default async function setup(project: TestProject): Promise<() => Promise<void>> {
   // Not dist/, so that tests neither disturb a served build nor see a stale one.
-  const outDir = mkdtempSync(join(tmpdir(), 'any-frame-rate-'))
-  const undo = [() => Promise.resolve(rmSync(outDir, { recursive: true, force: true }))]
+  const [outDir, elements] = ['', 'elements-'].map((name) =>
+    mkdtempSync(join(tmpdir(), `any-frame-rate-${name}`)),
+  ) as [string, string]
+  const undo: (() => unknown)[] = [outDir, elements].map((folder) => () => {
+    rmSync(folder, { recursive: true, force: true })
+  })
   const teardown = async () => {
     for (const step of undo.reverse()) await step()
   }
   // What a setup that failed leaves open would keep Vitest from ending.
   try {
-    build(outDir)
-    const { server: browser, packaged } = await launchBrowser()
+    const [{ server: browser, packaged }] = await Promise.all([
+      launchBrowser(),
+      build(outDir),
+      build(elements, '-c', 'vite.elements.config.ts'),
+    ])
     undo.push(() => browser.close())
     const server = await preview({
       root,
@@ -44,6 +54,7 @@ export default async function setup(project: TestProject): Promise<() => Promise
     undo.push(() => server.close())
     project.provide('address', server.resolvedUrls!.local[0]!)
     project.provide('folder', outDir)
+    project.provide('elements', elements)
     project.provide('browser', browser.wsEndpoint())
     project.provide('packaged', packaged)
   } catch (error) {
@@ -54,12 +65,14 @@ export default async function setup(project: TestProject): Promise<() => Promise
 }
 
 /** In a process of its own: Vitest sets NODE_ENV to "test", which would build the development page. */
-function build(outDir: string): void {
+async function build(outDir: string, ...more: string[]): Promise<void> {
   const vite = join(root, 'node_modules/vite/bin/vite.js')
-  const options = ['--outDir', outDir, '--emptyOutDir', '--logLevel', 'warn']
-  execFileSync(process.execPath, [vite, 'build', ...options], {
+  const options = ['--outDir', outDir, '--emptyOutDir', '--logLevel', 'warn', ...more]
+  const child = spawn(process.execPath, [vite, 'build', ...options], {
     cwd: root,
     env: { ...process.env, NODE_ENV: 'production' },
     stdio: ['ignore', 'ignore', 'inherit'],
   })
+  const [code] = (await once(child, 'exit')) as [number | null]
+  if (code !== 0) throw new Error(`vite build ${options.join(' ')} failed.`)
 }

@@ -3,11 +3,10 @@ import { describe, expect, inject, test } from 'vitest'
 import type { SlideLabElement } from '../../src/elements.ts'
 import { parseExperiment } from '../../src/physics/index.ts'
 import { readAddress } from '../../src/lab/state/address.ts'
-import { toCsv } from '../../src/panels/share/csv.ts'
-import { toJson } from '../../src/panels/share/texts.ts'
+import { toCsv, toJson } from '../../src/panels/share/texts.ts'
 import { Simulation } from '../../src/lab/state/simulation.ts'
 import type { LabState } from '../../src/lab/state/state.ts'
-import { buildElements, serve } from './hosts.ts'
+import { builtElements, serve } from './hosts.ts'
 import { openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
 import { Picture } from './picture.ts'
@@ -103,7 +102,7 @@ describe('embed code, pasted into a page of another origin, shows the figure run
   })
 
   test('element', async () => {
-    const { page, problems, expected } = await pasted('element', buildElements().module)
+    const { page, problems, expected } = await pasted('element', builtElements().module)
     await page.locator('slide-lab [part=link]').waitFor()
     const shown = await page
       .locator('slide-lab')

@@ -1,7 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, inject, test } from 'vitest'
+import { violationsOn } from './axe.ts'
 import { openPage } from './page.ts'
 
 /** What other sites show with a link to this one. `npm run shots` takes it anew from the lab. */
@@ -62,7 +62,7 @@ test('the page for lost links leads to the lab, with what the link said of it', 
 
 test.each(['light', 'dark'] as const)('axe finds nothing in it, %s', async (colorScheme) => {
   const { page } = await openPage({ path: '404.html#angle=20', colorScheme, width: 320 })
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOn(page)).toEqual([])
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320)
 })
 

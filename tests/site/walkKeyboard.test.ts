@@ -1,75 +1,7 @@
-import type { Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
+import { focus, inOrder, tabTo, tour } from './keyboard.ts'
 import { openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
-
-/** What has the focus: its name, where it is, and whether that can be seen. */
-interface Focus {
-  readonly name: string
-  /** Whether the page has lost it. */
-  readonly isBody: boolean
-  /** Whether it, or what stands for it, has an outline and is in the window. */
-  readonly isSeen: boolean
-  /** Its part of the lab. */
-  readonly part: string
-}
-
-const PARTS =
-  '.page-head, .scenes, .tools, .modes, .preset-note, slide-stage, .transport, .forces, .parameters, .runners, slide-lab-plots, slide-lab-measures, slide-step-inspector, .tutorial'
-
-const focus = (page: Page): Promise<Focus> =>
-  page.evaluate((parts) => {
-    const element = document.activeElement as HTMLElement
-    // A radio button is seen by its label, a text field by its frame.
-    const shown = [element, element.closest('label'), element.closest('.field')].filter(Boolean)
-    const outlined = shown.some((each) => {
-      const { outlineStyle, outlineWidth } = getComputedStyle(each!)
-      return outlineStyle !== 'none' && parseFloat(outlineWidth) > 0
-    })
-    const { top, bottom, width, height } = shown.at(-1)!.getBoundingClientRect()
-    const inWindow = width > 0 && height > 0 && bottom > 0 && top < innerHeight
-    const labels = (element as HTMLInputElement).labels
-    const name =
-      element.ariaLabel ??
-      ([...(labels ?? [])].map((label) => label.innerText).join(' ') || element.innerText)
-    const home = element.closest(parts)
-    return {
-      name: name.replace(/\s+/g, ' ').trim(),
-      isBody: element === document.body,
-      isSeen: outlined && inWindow,
-      part: home ? (home.classList[0] ?? home.localName) : '',
-    }
-  }, PARTS)
-
-/** Presses Tab until what has the focus is so called, and fails if it is lost or not seen on the way. */
-async function tabTo(page: Page, name: RegExp | string, key = 'Tab'): Promise<void> {
-  const passed: string[] = []
-  for (let i = 0; i < 150; i++) {
-    await page.keyboard.press(key)
-    const now = await focus(page)
-    expect(now.isBody, `lost after ${passed.at(-1)}`).toBe(false)
-    expect(now.isSeen, `${now.name} is not seen to have the focus`).toBe(true)
-    if (typeof name === 'string' ? now.name === name : name.test(now.name)) return
-    passed.push(now.name)
-  }
-  throw new Error(`Tab does not lead to ${String(name)}, only to ${passed.join(' | ')}`)
-}
-
-/** All that Tab leads to, from the top of the page to the end of the lab. */
-async function tour(page: Page): Promise<Focus[]> {
-  const stops: Focus[] = []
-  for (let i = 0; i < 250; i++) {
-    await page.keyboard.press('Tab')
-    const now = await focus(page)
-    if (now.isBody || now.part === 'tutorial') return stops
-    stops.push(now)
-  }
-  throw new Error('Tab does not come to an end')
-}
-
-/** Each once, in the order in which they come first. */
-const inOrder = (stops: readonly Focus[]) => [...new Set(stops.map(({ part }) => part))]
-
 async function loadPlots({ page }: Lab): Promise<void> {
   await page.locator('slide-lab-plots').scrollIntoViewIfNeeded()
   await page.locator('slide-lab-plots canvas.chart').first().waitFor()
@@ -200,11 +132,11 @@ test('the whole lab can be used with the keyboard alone', async () => {
   await tabTo(page, 'To the start')
   await pressed('Enter')
   expect(await now()).toBe(0)
-  await tabTo(page, 'One frame on')
+  await tabTo(page, 'One frame forward')
   await pressed('Enter', 'Enter')
   const stepped = await now()
   expect(stepped).toBeGreaterThan(0)
-  await tabTo(page, 'Playing speed')
+  await tabTo(page, 'Playback speed')
   await pressed('End')
   await tabTo(page, 'Play', 'Shift+Tab')
   await pressed('Space')

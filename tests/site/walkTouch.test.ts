@@ -115,7 +115,7 @@ describe('with a finger', () => {
 
     await tap(page, button('To the start'))
     expect(await now()).toBe(0)
-    await tap(page, button('One frame on'))
+    await tap(page, button('One frame forward'))
     const stepped = await now()
     expect(stepped).toBeGreaterThan(0)
     await tap(page, button('Play'))

@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { describe, expect, test } from 'vitest'
 import { mathml } from '../../src/tutorial/build/maths.ts'
 import { loadPage } from '../../src/tutorial/build/load.ts'
-import { markdown } from '../../src/tutorial/build/markdown.ts'
+import { markdown } from '../../src/tutorial/build/tutorial.ts'
 
 const root = join(import.meta.dirname, '../..')
 

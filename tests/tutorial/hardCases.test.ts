@@ -1,13 +1,17 @@
 import { describe, expect, it } from 'vitest'
 import { readAddress } from '../../src/lab/state/address.ts'
-import { hardCaseClaims } from '../../src/measure/hardCases/index.ts'
+import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
 import type { Claim } from '../../src/measure/hardCases/hardCase.ts'
 import { hardCases } from '../../src/measure/index.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import { ExperimentError, parseExperiment } from '../../src/physics/index.ts'
 import { Book } from '../../src/tutorial/build/book.ts'
-import { boundText, claimRow, valueText } from '../../src/tutorial/build/hardCaseFigures.ts'
-import { hardCasesHtml } from '../../src/tutorial/build/hardCases.ts'
+import {
+  boundText,
+  claimRow,
+  valueText,
+  hardCasesHtml,
+} from '../../src/tutorial/build/hardCases.ts'
 
 const book = new Book({
   ...{ texts: [], facts: {}, figures: [], takeHome: [], pageIds: [] },

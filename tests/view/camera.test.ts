@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { fit } from '../../src/view/camera.ts'
+import { fit } from '../../src/view/projection.ts'
 
 const at = (x: number, y: number, room = 0) => ({
   x,

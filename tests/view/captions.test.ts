@@ -3,6 +3,7 @@ import { forcesAt } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { drawAngle } from '../../src/view/angleArc.ts'
 import { overlap } from '../../src/chart/geometry.ts'
+import { forceDrawing } from '../../src/view/forces.ts'
 import { layOut } from '../../src/view/layout.ts'
 import { degrees } from '../../src/chart/numbers.ts'
 import { paint } from '../../src/view/paint.ts'
@@ -76,7 +77,7 @@ function drawn(picture: Picture, width: number, height: number) {
     'angle' in picture.parameters
       ? drawAngle(context, picture, layout, projection, plainPalette)
       : []
-  paint(context, picture, setting, plainPalette, { draw })
+  paint(context, picture, setting, plainPalette, { draw }, forceDrawing)
   const leaders = lines.filter(
     ({ from, to, width, colour, isDashed }) =>
       width === 1 &&

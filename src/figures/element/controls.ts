@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { plain } from '../../chart/numbers.ts'
-import { typeset } from '../../ui/typeset.ts'
+import { typeset } from '../../ui/quantityControl.ts'
 import type {
   ChoiceControl,
   Control,

@@ -4,7 +4,7 @@ import { forgetWidths } from '../../chart/text.ts'
 import { drawDisc } from '../../view/handles.ts'
 import { PaletteReader } from '../../view/palette.ts'
 import { pointIn, valueByKey } from '../../ui/input.ts'
-import { onThemeChange } from '../../ui/theme.ts'
+import { onRestyle } from '../../ui/theme.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import type { Controls, NumberControl, Values } from '../shared/control.ts'
 import type { Grip, Panel, View } from '../shared/figure.ts'
@@ -69,13 +69,11 @@ class FigurePicture extends LitElement {
       redraw()
     })
     sizes.observe(this)
-    const stopThemes = onThemeChange(recolour)
-    document.fonts.addEventListener('loadingdone', redraw)
+    const stopStyles = onRestyle(recolour)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       sizes.disconnect()
-      stopThemes()
-      document.fonts.removeEventListener('loadingdone', redraw)
+      stopStyles()
       stopTime()
     }
   }

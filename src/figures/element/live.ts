@@ -1,7 +1,7 @@
 import { initialValues, readValues } from '../shared/control.ts'
 import type { Values } from '../shared/control.ts'
 import type { Figure } from '../shared/figure.ts'
-import { frameOf } from '../shared/frame.ts'
+import { frameOf } from '../shared/still.ts'
 import { face } from './face.ts'
 import './figurePicture.ts'
 import './framesRecorder.ts'

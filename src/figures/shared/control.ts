@@ -12,6 +12,14 @@ export interface NumberControl {
   readonly hidden?: true
 }
 
+/** The control of a frame rate. */
+export function rateControl(initial: number, from = 5, to = 120) {
+  return {
+    ...{ type: 'number', label: 'Frame rate', unit: 'fps' },
+    ...{ from, to, step: 1, initial },
+  } as const satisfies NumberControl
+}
+
 /** One of a few. */
 export interface ChoiceControl {
   readonly type: 'choice'

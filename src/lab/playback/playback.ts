@@ -61,6 +61,10 @@ export class Playback implements ReactiveController {
     return Math.min(this.cursor, this.host.duration)
   }
 
+  get isAtEnd(): boolean {
+    return this.time >= this.host.duration
+  }
+
   /**
    * Calls back whenever the cursor has moved; while it plays only if the element can be seen, and to `write` only a few
    * times a second. Returns a function that unsubscribes.
@@ -76,7 +80,7 @@ export class Playback implements ReactiveController {
 
   /** Plays on from here, or from the start if this is the end. */
   play(): void {
-    if (this.time >= this.host.duration) this.cursor = 0
+    if (this.isAtEnd) this.cursor = 0
     this.playing = true
     this.schedule()
     this.host.requestUpdate()
@@ -91,8 +95,18 @@ export class Playback implements ReactiveController {
 
   /** Goes to an instant [s] and stays there. */
   seek(time: number): void {
-    this.cursor = time >= this.host.duration ? Infinity : Math.max(0, time)
+    this.moveTo(time)
     this.pause()
+  }
+
+  /** Shows one instant [s] of many that follow each other. */
+  show(time: number): void {
+    this.moveTo(time)
+    this.subscribers.notify({ seen: true, eachFrame: false })
+  }
+
+  private moveTo(time: number): void {
+    this.cursor = time >= this.host.duration ? Infinity : Math.max(0, time)
   }
 
   toStart(): void {

@@ -1,5 +1,4 @@
-import { frameClocks, timesteps } from '../../physics/index.ts'
-import type { ExperimentError, Options, Scene, SceneId } from '../../physics/index.ts'
+import type { ExperimentError, Scene, SceneId } from '../../physics/index.ts'
 import { withParameters } from '../../measure/index.ts'
 import { checked, MOST_RUNNERS } from './check.ts'
 import { modes } from './modes.ts'
@@ -51,22 +50,6 @@ export function changed(state: LabState, change: Change): LabState {
     case 'remove':
       return checked({ ...state, runners: state.runners.filter((_, i) => i !== change.index) })
   }
-}
-
-/**
- * The value of a runner's frame clock or timestep after another was chosen from the menu: the options that both have
- * keep their values, the others are at their initial ones.
- */
-export function choose<Of extends 'frames' | 'timestep'>(
-  of: Of,
-  kind: string,
-  before: RunnerState[Of],
-): RunnerState[Of] {
-  const list = of === 'frames' ? frameClocks : timesteps
-  const options: Options = list.find(({ id }) => id === kind)!.options
-  const kept: Readonly<Record<string, unknown>> = { ...before }
-  const values = Object.entries(options).map(([key, { initial }]) => [key, kept[key] ?? initial])
-  return { kind, ...Object.fromEntries(values) } as RunnerState[Of]
 }
 
 function withRunner(state: LabState, index: number, values: object) {

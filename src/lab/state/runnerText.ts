@@ -1,6 +1,7 @@
 import { defaults, frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Option, Options, Problem } from '../../physics/index.ts'
-import { readNumber, writeNumber } from '../../chart/numbers.ts'
+import { writeNumber } from '../../chart/numbers.ts'
+import { readNumber } from '../../chart/typedNumber.ts'
 import { MOST_RUNNERS } from './check.ts'
 import type { DraftRunner } from './check.ts'
 import { readDurations, writeDurations } from './durationCode.ts'

@@ -1,9 +1,9 @@
-import { extremes, extremesClaims } from './extremes.ts'
-import { frames, framesClaims } from './frames.ts'
-import { friction, frictionClaims } from './friction.ts'
-import type { HardCase, Claims } from './hardCase.ts'
-import { jumps, jumpsClaims } from './jumps.ts'
-import { oscillations, oscillationsClaims } from './oscillations.ts'
+import { extremes } from './extremes.ts'
+import { frames } from './frames.ts'
+import { friction } from './friction.ts'
+import type { HardCase } from './hardCase.ts'
+import { jumps } from './jumps.ts'
+import { oscillations } from './oscillations.ts'
 
 /** Every hard case, in the order of their groups. */
 export const hardCases: readonly HardCase[] = [
@@ -15,15 +15,3 @@ export const hardCases: readonly HardCase[] = [
 ].sort((one, other) => one.group - other.group)
 
 export type { HardCase } from './hardCase.ts'
-
-/**
- * What holds of each hard case, by its id. Apart from the list of cases, so that a bundle which only shows them does not
- * carry it.
- */
-export const hardCaseClaims: Readonly<Record<string, Claims>> = {
-  ...frictionClaims,
-  ...framesClaims,
-  ...oscillationsClaims,
-  ...extremesClaims,
-  ...jumpsClaims,
-}

@@ -18,7 +18,7 @@ export interface Result {
 /** Results by case and claim. */
 export type Results = Readonly<Record<string, Readonly<Record<string, Result>>>>
 
-/** What the tests measured of every claim. They write these files by `npm run hard-cases`, and fail on other figures. */
+/** What was measured of every claim. `npm run hard-cases` writes these files, and tests compare them with what they measure. */
 export const hardCaseResults: Results = {
   ...friction,
   ...frames,

@@ -80,7 +80,7 @@ function table(lab: LabView, { largest }: Looked, { vectors, velocity }: BlockFo
       <tr>
         <td></td>
         <th scope="col">Size</th>
-        <th scope="col" title="In the direction in which s grows">
+        <th scope="col" title="In the direction of increasing s">
           Along <span aria-hidden="true">${arrow}</span>
         </th>
         <th scope="col" title="Away from the track">Across</th>
@@ -138,11 +138,11 @@ export function frictionText(
   const { friction, normal } = vectors
   const newtons = (value: number) => `${quantity(value, largest)}\u202fN`
   const size = newtons(length(friction))
-  if (vectors.rubbing === 'held') {
+  if (vectors.frictionKind === 'held') {
     const most = muStatic * length(normal)
     return `Static friction holds it: ${size} of at most ${newtons(most)}.`
   }
-  if (vectors.rubbing === 'none')
+  if (vectors.frictionKind === 'none')
     return muStatic + muKinetic > 0
       ? 'No friction at v = 0: the naive rule knows only the friction of sliding.'
       : 'No friction: μ is 0.'

@@ -47,7 +47,7 @@ function stretchHtml({ tries }: Stretch, experiment: ResolvedExperiment) {
   const method: Integrator = integrators.find(({ id }) => id === experiment.integrator)!
   const kept = tries[tries.length - 1]!
   return html`
-    ${tries.length > 1 ? triesHtml(tries) : nothing} ${looks(kept, experiment)}
+    ${tries.length > 1 ? triesHtml(tries) : nothing} ${evaluationsHtml(kept, experiment)}
     ${written(method, kept).map(
       ({ heading, dt, lines }) => html`
         <h3>${method.label}, ${saidHtml(say`${heading} = ${dt} s`)}</h3>
@@ -57,9 +57,9 @@ function stretchHtml({ tries }: Stretch, experiment: ResolvedExperiment) {
   `
 }
 
-/** The lengths that were tried to end the step at the jump; the last one is the step that was kept. */
+/** The step lengths that were tried to end the step at the event; the last one was accepted. */
 function triesHtml(tries: readonly TriedStep[]) {
-  return html`<h3>Looking for the instant</h3>
+  return html`<h3>Finding the instant</h3>
     <ol class="tries">
       ${tries.map(
         ({ dt, from, to }) =>
@@ -70,35 +70,40 @@ function triesHtml(tries: readonly TriedStep[]) {
     </ol>`
 }
 
-/** Each look at the forces: where, and what they gave. */
-function looks({ evaluations, reused, slip }: TriedStep, experiment: ResolvedExperiment) {
+/** Each evaluation of the forces: where it is made, and its result. */
+function evaluationsHtml({ evaluations, reused, slip }: TriedStep, experiment: ResolvedExperiment) {
   const { muKinetic } = experiment.parameters
-  const rubs = (muKinetic ?? 0) > 0
-  const direction = rubs
+  const hasFriction = (muKinetic ?? 0) > 0
+  const direction = hasFriction
     ? `, slip direction ${slip === 0 ? 'by the sign of each v' : slip < 0 ? '−1' : '+1'}`
     : ''
   const first = reused === undefined ? 1 : 2
-  const legend = rubs
-    ? `drive: gravity${'stiffness' in experiment.parameters ? ' and spring' : ''} along the track. press: what presses the block to it. Both for each kilogram.`
-    : 'drive: all that acts along the track, for each kilogram.'
-  return html`<h3>Looks at the forces${direction}</h3>
+  const legend = hasFriction
+    ? `drive: gravity${'stiffness' in experiment.parameters ? ' and spring' : ''} along the track. press: what presses the block onto it. Both per kilogram.`
+    : 'drive: everything that acts along the track, per kilogram.'
+  return html`<h3>Force evaluations${direction}</h3>
     <p class="legend">${legend}</p>
     <div class="lines">
       ${
         reused === undefined
           ? nothing
           : lineHtml({
-              formula: 'a₁: that of the step before',
+              formula: 'a₁: from the step before',
               numbers: [],
               result: reused,
               unit: 'm/s²',
             })
       }
-      ${evaluations.map((each, i) => lineHtml(look(each, ordinal(first + i), slip, rubs ? muKinetic : 0)))}
+      ${evaluations.map((each, i) => lineHtml(evaluationLine(each, ordinal(first + i), slip, hasFriction ? muKinetic : 0)))}
     </div>`
 }
 
-function look({ s, v, drive, press, a }: Evaluation, index: string, slip: number, mu = 0) {
+function evaluationLine(
+  { s, v, drive, press, a }: Evaluation,
+  index: string,
+  slip: number,
+  mu = 0,
+) {
   const where = say`at s = ${s} m, v = ${v} m/s: `
   const direction = slip === 0 ? Math.sign(v) : slip
   return {

@@ -42,6 +42,8 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
       const parts = count(Math.round(lasts / length), 'equal part')
       return say`${lasts} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`
     }
+    case 'tolerance':
+      return say`As many steps as an error of ${timestep.tolerance} m in each second allows, each tried whole and in two halves.`
     case 'fixed':
       return fixedWords(run, row, timestep.step)
   }
@@ -98,12 +100,20 @@ export function wordsAfter(
       const then = standing
         ? decision(step, standing, experiment)
         : say`the next step decides whether it stays.`
-      said.push(say`v reached 0 ${when}; s = ${kept.to.s} m; ${then}`)
+      const { beltSpeed = 0 } = experiment.parameters
+      const reached = beltSpeed === 0 ? '0' : 'the belt’s speed'
+      said.push(say`v reached ${reached} ${when}; s = ${kept.to.s} m; ${then}`)
     }
     if (stretch.ends === 'cut')
       said.push(
         say`The step is cut to ${kept.dt} s: over its whole length the force would change too much for a single step.`,
       )
+    if (stretch.ends === 'halved')
+      said.push(
+        say`A trial came out faster than its start can pay for. The step is halved to ${kept.dt} s.`,
+      )
+    if (stretch.ends === 'take-off')
+      said.push(say`The normal force reaches 0 at s = ${kept.to.s} m ${when}: the block takes off.`)
     if (stretch.ends === 'joint')
       said.push(say`The block reaches the joint at s = ${kept.to.s} m ${when}.`)
   } else if (isLast) {
@@ -119,7 +129,7 @@ export function wordsAfter(
         say`v crossed 0, and nothing noticed. In the next step friction pushes the block back, so it trembles.`,
       )
   }
-  if (isLast && step.outcome === 'left-the-track')
+  if (isLast && step.outcome === 'left-the-track' && stretch.ends !== 'take-off')
     said.push(say`The track ends there: the block has left it.`)
   if (isLast && step.outcome === 'diverged')
     said.push(say`The step has lost its stability: the run has diverged and ends here.`)

@@ -37,13 +37,13 @@ export function written(method: Integrator, tried: TriedStep): WrittenStep[] {
 }
 
 /**
- * Looks at the forces are in the formula in the order in which they were made. What the formula calls s′ and v′ is where
- * the step ended; any other velocity that it names is the one that the next look was made at.
+ * The formula lists force evaluations in the order in which they are made. In the formula,
+ * s′ and v′ are the state at the end of the step; any other velocity is the one at which the next evaluation was made.
  */
 function linesOf({ formula }: Integrator, tried: TriedStep): WrittenLine[] {
   const { from, to, dt, evaluations, reused } = tried
   const known: Record<string, number> = { s: from.s, v: from.v, Δt: dt, 's′': to.s, 'v′': to.v }
-  const looks = [...(reused === undefined ? [] : [{ ...from, a: reused }]), ...evaluations]
+  const made = [...(reused === undefined ? [] : [{ ...from, a: reused }]), ...evaluations]
   let next = 0
   const lines = formula.flatMap((line) => line.split(/,\s{2}/))
   return lines.map((line) => {
@@ -51,16 +51,16 @@ function linesOf({ formula }: Integrator, tried: TriedStep): WrittenLine[] {
     // A velocity that its own line asks for was guessed: the last guess is the one that it kept.
     const isGuessed = target[0] === 'v' && !(target in known) && expression.includes(target)
     if (isGuessed) {
-      next = looks.length - 1
-      known[target] = looks[next]!.v
+      next = made.length - 1
+      known[target] = made[next]!.v
     }
     const numbers = substituted(
       expression,
       (name) => known[name]!,
-      () => looks[next++]!.a,
+      () => made[next++]!.a,
     )
-    if (/^a\([^()]*\)$/u.test(expression)) known[target] = looks[next++]!.a
-    else known[target] ??= looks[next]![target[0] as 's' | 'v']
+    if (/^a\([^()]*\)$/u.test(expression)) known[target] = made[next++]!.a
+    else known[target] ??= made[next]![target[0] as 's' | 'v']
     const unit = { s: 'm', v: 'm/s', a: 'm/s²' }[target[0] as 's' | 'v' | 'a']
     const written = { formula: line, numbers, result: known[target], unit }
     return isGuessed ? { ...written, solved: guesses(tried, target) } : written
@@ -115,13 +115,13 @@ const INNER = -Math.cbrt(2) * OUTER
  * between two of them is worked out from the accelerations at both ends.
  */
 function subSteps({ dt, from, to, slip, reused, evaluations }: TriedStep): TriedStep[] {
-  const looks = [...(reused === undefined ? [] : [{ a: reused }]), ...evaluations]
+  const made = [...(reused === undefined ? [] : [{ a: reused }]), ...evaluations]
   // Where the force ignores v, each step begins with the look that the one before ended with.
-  const shared = looks.length === 4
+  const shared = made.length === 4
   let begin = from
   return [OUTER, INNER, OUTER].map((part, i) => {
     const length = part * dt
-    const first = looks[shared ? i : 2 * i]!
+    const first = made[shared ? i : 2 * i]!
     const last = evaluations[evaluations.length - (shared ? 3 - i : 5 - 2 * i)]!
     const again = shared && (i > 0 || reused !== undefined)
     const end = i === 2 ? to : { s: last.s, v: begin.v + 0.5 * (first.a + last.a) * length }

@@ -1,7 +1,8 @@
+import { html, nothing } from 'lit'
 import { integrators } from '../../physics/index.ts'
-import { cheapest } from '../../measure/index.ts'
+import { cheapest, sweepRates } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
-import { plain } from '../../chart/numbers.ts'
+import { plain, raw } from '../../chart/numbers.ts'
 import type { CostKind, DiagramCurve, DiagramPoint } from './points.ts'
 
 /** Errors that people ask for, as powers of ten of a metre, and the last: none but rounding. */
@@ -64,4 +65,91 @@ export function pointWords(
   if (!whole) return 'the true motion is not known here'
   const size = error === 0 ? 'exact to rounding' : `never off by more than ${roughSize(error)}`
   return `${size}, ${price}`
+}
+
+/**
+ * What to use for which error.
+ *
+ * @param cost by what it is the cheapest
+ * @param show called with the point whose run the reader wants to see
+ */
+export function diagramAdvice(
+  curves: readonly DiagramCurve[],
+  cost: string,
+  show: (point: DiagramPoint) => void,
+) {
+  const found = advice(curves)
+  const least = leastError(curves)
+  return html`<div class="advice">
+    <p class="title">What to use here <span class="soft">by ${cost.toLowerCase()}</span></p>
+    <ul>
+      ${found.map(
+        ({ error, point }) =>
+          html`<li>
+            For <b>${error}</b>, use
+            <button type="button" class="in-text" @click=${() => show(point)}>
+              ${pointName(point)}</button
+            >.
+          </li>`,
+      )}
+    </ul>
+    ${
+      found.length > 0 && least > 1e-9
+        ? html`<p class="soft">
+            Nothing here comes nearer than ${roughSize(least)} with up to
+            ${plain(sweepRates.at(-1)!)} steps a second.
+          </p>`
+        : nothing
+    }
+  </div>`
+}
+
+/** The diagram in numbers: a row for each rate and each runner of the lab, the error and the cost of each method. */
+export function diagramTable(
+  curves: readonly DiagramCurve[],
+  runners: readonly DiagramPoint[],
+  kind: CostKind,
+) {
+  const rates = curves[0]?.points.map(({ rate }) => rate) ?? []
+  return html`<div
+    class="scroll"
+    tabindex="0"
+    role="region"
+    aria-label="Speed against error, table"
+  >
+    <table>
+      <caption>
+        Largest error of the run, and under it the cost of a simulated second
+        (${kind.label.toLowerCase()})
+      </caption>
+      <thead>
+        <tr>
+          <th scope="col">steps a second</th>
+          ${curves.map(({ label, order }) => html`<th scope="col">${label}<small>${order}</small></th>`)}
+        </tr>
+      </thead>
+      <tbody>
+        ${rates.map(
+          (rate, row) =>
+            html`<tr>
+              <th scope="row">${plain(rate)}</th>
+              ${curves.map(({ points }) => cell(points[row]!, kind))}
+            </tr>`,
+        )}
+        ${runners.map(
+          (point) =>
+            html`<tr>
+              <th scope="row">${point.runner!.name}<small>in the lab</small></th>
+              ${curves.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
+            </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`
+}
+
+function cell(point: DiagramPoint, kind: CostKind) {
+  return html`<td title="${raw(point.error)} m for ${raw(point.cost)}">
+    ${errorText(point)}<small>${kind.text(point.cost)}</small>
+  </td>`
 }

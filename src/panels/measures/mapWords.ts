@@ -1,3 +1,4 @@
+import { html } from 'lit'
 import type { NumberOption } from '../../physics/index.ts'
 import {
   mappedExperiment,
@@ -8,7 +9,7 @@ import {
 } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
-import { plain } from '../../chart/numbers.ts'
+import { plain, raw } from '../../chart/numbers.ts'
 import type { MapCell, MapCells } from './mapCells.ts'
 import { parametersOf } from './mapChoice.ts'
 
@@ -18,7 +19,7 @@ export function mappedOption({ experiment, parameter }: MapRequest): NumberOptio
 }
 
 /** “Angle 15°”. */
-export function valueText({ label, unit }: NumberOption, value: number): string {
+function valueText({ label, unit }: NumberOption, value: number): string {
   return `${label} ${plain(value)}${unit && unit !== '°' ? '\u202f' : ''}${unit}`
 }
 
@@ -108,4 +109,46 @@ function percent(part: number): string {
 function keepUnits(request: MapRequest, text: string): string {
   const { unit } = mappedOption(request)
   return unit ? text.slice(0, text.length - unit.length) + unit : text
+}
+
+const COLUMNS = 8
+const ROWS = 6
+
+/** Some readings of a map, evenly over all of it. */
+export function mapTable(cells: MapCells) {
+  const { request } = cells
+  const option = mappedOption(request)
+  const columns = evenly(request.columns, COLUMNS)
+  const rows = evenly(request.rows, ROWS).reverse()
+  return html`<div class="scroll" tabindex="0" role="region" aria-label="Frame-rate map, table">
+    <table>
+      <thead>
+        <tr>
+          <td></td>
+          ${columns.map((column) => html`<th scope="col">${plain(rateAt(request, column))} fps</th>`)}
+        </tr>
+      </thead>
+      <tbody>
+        ${rows.map(
+          (row) =>
+            html`<tr>
+              <th scope="row">${valueText(option, valueAt(request, row))}</th>
+              ${columns.map((column) => {
+                const cell = cells.cell(column, row)
+                const text =
+                  cell.kind === 'measured' ? roughSize(cell.value) : cellWords(cell, request)
+                return html`<td title=${cell.kind === 'measured' ? `${raw(cell.value)} m` : ''}>
+                  ${text}
+                </td>`
+              })}
+            </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`
+}
+
+/** So many places, each in the middle of its part of the whole. */
+function evenly(whole: number, parts: number): number[] {
+  return Array.from({ length: parts }, (_, i) => Math.floor(((i + 0.5) * whole) / parts))
 }

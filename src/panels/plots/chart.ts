@@ -3,7 +3,7 @@ import type { Box, Point } from '../../chart/geometry.ts'
 import { drawAxes, graphIn } from '../../chart/graph.ts'
 import type { AxisSizes, Graph } from '../../chart/graph.ts'
 import { cleared } from '../../chart/pen.ts'
-import { markPath } from '../../view/marks.ts'
+import { markOf } from '../../view/marks.ts'
 import type { Palette } from '../../view/palette.ts'
 import { EXACT } from './curves.ts'
 import type { Curve, Drawing } from './curves.ts'
@@ -120,4 +120,11 @@ function drawMarks(
     due = gap
     if (seen(spot)) pen.fill(markPath(paletteIndex, spot.x, spot.y, radius))
   })
+}
+
+/** A mark of a radius around a point. */
+function markPath(paletteIndex: number, x: number, y: number, radius: number): Path2D {
+  const path = new Path2D()
+  path.addPath(markOf(paletteIndex, radius), new DOMMatrix().translate(x, y))
+  return path
 }

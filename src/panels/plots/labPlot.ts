@@ -3,7 +3,7 @@ import { PaletteReader } from '../../view/palette.ts'
 import type { Palette } from '../../view/palette.ts'
 import { pointIn } from '../../ui/input.ts'
 import { tableFold } from '../../ui/tableFold.ts'
-import { onThemeChange } from '../../ui/theme.ts'
+import { onRestyle } from '../../ui/theme.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import { boxOf, drawChart } from './chart.ts'
@@ -99,14 +99,12 @@ class LabPlot extends LitElement {
       this.drawn = []
       this.requestUpdate()
     }
-    const stopThemes = onThemeChange(redraw)
-    document.fonts.addEventListener('loadingdone', redraw)
+    const stopStyles = onRestyle(redraw)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.drawCursor())
     this.stopWatching = () => {
       stopTime()
       for (const observer of [near, seen, this.sizes]) observer.disconnect()
-      stopThemes()
-      document.fonts.removeEventListener('loadingdone', redraw)
+      stopStyles()
     }
   }
 

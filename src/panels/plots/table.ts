@@ -3,8 +3,7 @@ import type { Trajectory } from '../../physics/index.ts'
 import { fixed, plain, raw } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
-import type { PlotKind } from './kinds.ts'
-import type { PlotQuantity } from './quantity.ts'
+import type { PlotKind, PlotQuantity } from './kinds.ts'
 
 /** A plot in numbers. */
 export interface PlotTable {

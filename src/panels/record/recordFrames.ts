@@ -1,51 +1,33 @@
-import { html, LitElement, nothing } from 'lit'
+import { html, nothing } from 'lit'
 import { fixed, plain } from '../../chart/numbers.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
-import { durationsOf, summarize, summaryText } from '../../lab/state/frameTimes.ts'
+import { summarize, summaryText } from '../../lab/state/frameTimes.ts'
 import { binsOf, histogram } from './histogram.ts'
-import { animationFrames, record } from './recording.ts'
-import type { FrameSource } from './recording.ts'
-
-/** How often the progress is shown [s]: the recorder must not be what slows the frames down. */
-const PROGRESS = 0.1
+import { Recorder } from './recorder.ts'
 
 /**
  * Takes down the frame times of the reader's own browser and makes them the clock of a runner.
  *
  * - `lab`: what the runners belong to
  * - `selected`: the name of the selected one
- * - `source`: where frames come from, this browser window unless told otherwise
- * - `length`: how long it records [s]
  */
-class RecordFrames extends LitElement {
+class RecordFrames extends Recorder {
   static override properties = {
+    ...Recorder.properties,
     lab: { attribute: false },
     selected: { attribute: false },
-    recorded: { state: true },
     durations: { state: true },
-    message: { state: true },
   }
 
   declare lab: LabView
   declare selected: string
-  source: FrameSource = animationFrames
-  length = 5
-  /** How much is recorded, from 0 to 1; undefined while it does not record. */
-  declare private recorded: number | undefined
   declare private durations: readonly number[]
-  declare private message: string
-  private cancel = () => {}
   private hadFocus = false
 
   constructor() {
     super()
     this.durations = []
-    this.message = ''
-  }
-
-  override createRenderRoot(): this {
-    return this
   }
 
   override willUpdate(): void {
@@ -58,17 +40,12 @@ class RecordFrames extends LitElement {
       this.querySelector('button')!.focus()
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback()
-    this.stop('')
-  }
-
   override render() {
     const { recorded, durations } = this
     return html`
       ${
         recorded === undefined
-          ? html`<button type="button" class="add" @click=${this.start}>
+          ? html`<button type="button" class="add" @click=${() => this.start()}>
               ${durations.length > 0 ? 'Record again' : 'Record my frames'}
             </button>`
           : this.progress(recorded)
@@ -78,39 +55,13 @@ class RecordFrames extends LitElement {
     `
   }
 
-  private readonly start = (): void => {
-    this.stop('')
+  protected override start(): void {
     this.durations = []
-    this.recorded = 0
-    const { source, length } = this
-    const cancel = record({
-      source,
-      length,
-      progress: (part) => {
-        if ((part - this.recorded!) * length >= PROGRESS) this.recorded = part
-      },
-      done: (timestamps) => {
-        this.stop('')
-        this.durations = durationsOf(timestamps)
-      },
-    })
-    document.addEventListener('visibilitychange', this.whenHidden)
-    this.cancel = () => {
-      cancel()
-      document.removeEventListener('visibilitychange', this.whenHidden)
-    }
+    super.start()
   }
 
-  private stop(message: string): void {
-    this.cancel()
-    this.cancel = () => {}
-    this.recorded = undefined
-    this.message = message
-  }
-
-  private readonly whenHidden = (): void => {
-    if (document.hidden)
-      this.stop('Stopped: the page was hidden, and a hidden page gets no frames.')
+  protected override take(durations: readonly number[]): void {
+    this.durations = durations
   }
 
   private progress(part: number) {
@@ -119,7 +70,7 @@ class RecordFrames extends LitElement {
         >Recording ${fixed(part * this.length, 1)} of ${plain(this.length)} s; keep this page in
         sight <progress value=${part}></progress
       ></label>
-      <button type="button" class="add" @click=${() => this.stop('')}>Cancel</button>
+      <button type="button" class="add" @click=${() => this.stop()}>Cancel</button>
     </div>`
   }
 

@@ -1,7 +1,8 @@
 import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../../physics/index.ts'
-import { readNumber, writeNumber } from '../../chart/numbers.ts'
+import { writeNumber } from '../../chart/numbers.ts'
+import { readNumber } from '../../chart/typedNumber.ts'
 import '../../ui/quantityControl.ts'
 import { summaryText } from '../../lab/state/frameTimes.ts'
 

@@ -35,8 +35,8 @@ export function endText(trajectory: Trajectory): { text: string; title: string }
   const { drawnS, v, frames, experiment } = trajectory
   const end = endOf(trajectory)
   if (!end && v[frames] === 0)
-    return { text: 'at a stop', title: 'Its speed is 0 as the run is over' }
-  if (!end) return { text: 'moving', title: 'Still moving when the run is over' }
+    return { text: 'at a stop', title: 'Its speed is 0 when the run ends' }
+  if (!end) return { text: 'moving', title: 'Still moving when the run ends' }
   const { kind, time } = end
   const way = Math.abs(drawnS[frames]! - experiment.parameters.position!)
   const title = `t = ${raw(time)} s, ${raw(way)} m from the start`

@@ -1,10 +1,9 @@
 import { html, LitElement, nothing } from 'lit'
-import { freshId } from '../../ui/freshId.ts'
+import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { isPublic, site } from '../../lab/site.ts'
 import { linkTo } from '../../lab/state/address.ts'
-import { toCsv } from './csv.ts'
-import { elementCode, fileName, frameCode, toJson } from './texts.ts'
+import { toCsv, elementCode, fileName, frameCode, toJson } from './texts.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.

@@ -18,13 +18,15 @@ const LONGEST = 2
 // whose ulp is the ulp of s. A larger error than this many comes from something else.
 const MOST_ENERGY_ERROR = 16 * Number.EPSILON
 
-// Series of speed, and of sine and cosine of the slope, in the phase's unit of time.
+// Series of speed, of sine and cosine of the slope, and of the press, in the phase's unit of time.
 const speeds: number[] = []
 const sines: number[] = []
 const cosines: number[] = []
+const press = { s: NaN, v: NaN }
+const presses: number[] = []
 
 /**
- * Slides on an arc for one step, or up to a stop or the piece's end if that comes first:
+ * Slides on an arc for one step, or up to a stop, the piece's end or, on a crest, the take-off if that comes first:
  * s″ = g sin φ − μ (g cos φ + κ s′²), φ = slope − κ (s − at), by the Taylor series of s, whose coefficients follow
  * from each other (Moore, Interval Analysis, 1966; Jorba & Zou, Experimental Mathematics 14, 2005, for the step). The
  * phase is refused if the step misses the energy integral by more than rounding.
@@ -77,7 +79,14 @@ export function slideArc(
     end.s = border
     end.v = slip * Math.max(0, (slip * end.v) / unit)
   }
-  return { c, unit, lasts: x * unit, end }
+  // On a crest press grows up to the top and falls beyond it: the end tells whether it has been 0.
+  const takesOff = curvature < 0 && evaluate(presses, x, press).s < 0
+  if (takesOff) {
+    x = crossing(presses, 0, x)
+    evaluate(c, x, end)
+    end.v /= unit
+  }
+  return { c, unit, lasts: x * unit, end, takesOff }
 }
 
 /** Sets the series from speed, gravity and slope φ at the start: (sin φ)′ = −κ v cos φ, (cos φ)′ = κ v sin φ. */
@@ -95,8 +104,8 @@ function expand(v: number, mu: number, gravity: number, slope: number, curvature
       sine += speed * cosines[n - k]!
       cosine += speed * sines[n - k]!
     }
-    const press = gravity * cosines[n]! + curvature * square
-    speeds[n + 1] = (gravity * sines[n]! - mu * press) / (n + 1)
+    presses[n] = gravity * cosines[n]! + curvature * square
+    speeds[n + 1] = (gravity * sines[n]! - mu * presses[n]!) / (n + 1)
     sines[n + 1] = (-curvature * sine) / (n + 1)
     cosines[n + 1] = (curvature * cosine) / (n + 1)
   }

@@ -10,6 +10,8 @@ export interface Phase {
   readonly lasts: number
   /** The state at its end. */
   readonly end: State
+  /** It ends where the block takes off from a crest. */
+  readonly takesOff?: boolean
 }
 
 /** The last phase of a motion, with one state for ever: at rest, off the track, or NaN where the motion is unknown. */

@@ -27,6 +27,7 @@ export class Slide {
   private v: number
   /** The slip direction; while the block rests, that of the motion before. */
   private slip: 1 | -1 | 0
+  private hasLeft = false
   private readonly track: Track
   private readonly gravity: number
   private readonly muKinetic: number
@@ -51,15 +52,17 @@ export class Slide {
     this.time = phase.lasts < Infinity ? this.lasted.value : Infinity
     this.s = phase.end.s
     this.v = phase.end.v
+    this.hasLeft = phase.takesOff ?? false
     return phase
   }
 
   private phase(): Phase {
     const { gravity, muKinetic, s, v } = this
+    if (this.hasLeft) return stay(s, v)
     const moves = v !== 0 || this.setsOff()
     const { slip } = this
     const piece = this.pieceTowards(slip)
-    if (!moves || slip === 0 || !piece) return stay(s, v)
+    if (!moves || slip === 0 || !piece || this.isLifted(piece)) return stay(s, v)
     const mu = slip * muKinetic
     if (piece.curvature !== 0) return slideArc(s, v, slip, mu, gravity, piece)
     const a = gravity * piece.sin - mu * (gravity * piece.cos)
@@ -97,6 +100,11 @@ export class Slide {
 
   private press(piece: Piece): number {
     return this.gravity * (piece.curvature === 0 ? piece.cos : Math.cos(this.slope(piece)))
+  }
+
+  /** On a crest, the block is too fast to stay on the track. */
+  private isLifted(piece: Piece): boolean {
+    return piece.curvature < 0 && this.press(piece) + piece.curvature * this.v * this.v < 0
   }
 
   private slope({ slope, curvature, at }: Piece): number {

@@ -3,8 +3,10 @@ import { ramp } from './ramp.ts'
 import { runOut } from './runOut.ts'
 import { halfPipe } from './halfPipe.ts'
 import { spring } from './spring.ts'
+import { crest } from './crest.ts'
+import { belt } from './belt.ts'
 
 /** Every scene, from the plainest on. */
-export const scenes = [fall, ramp, runOut, halfPipe, spring] as const
+export const scenes = [fall, ramp, runOut, halfPipe, spring, crest, belt] as const
 
 export type SceneId = (typeof scenes)[number]['id']

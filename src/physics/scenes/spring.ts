@@ -3,7 +3,7 @@ import { defineScene } from '../scene.ts'
 import { straight } from '../track.ts'
 import { angle, gravity, mass, muKinetic, muStatic, position, speed } from './parameters.ts'
 
-const stiffness = {
+export const stiffness = {
   type: 'number',
   label: 'Stiffness',
   symbol: 'k',

@@ -1,10 +1,9 @@
 import * as Plot from '@observablehq/plot'
 import { byHand, ours, recorded } from '../engines/index.ts'
 import type { Report } from '../schema/index.ts'
-import { metres, nanoseconds, times } from '../text/figures.ts'
-import { draw, metricPower, powers, ink, line, runner, softInk } from './draw.ts'
+import { metres, nanoseconds, times } from '../text/numbers.ts'
+import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
 import type { Drawing } from './draw.ts'
-import { legend } from './legend.ts'
 
 /** An error of exactly 0 is drawn here [m]. */
 const FLOOR = 1e-16

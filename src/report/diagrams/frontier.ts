@@ -1,9 +1,8 @@
 import * as Plot from '@observablehq/plot'
 import type { Frontier, WorkCurve } from '../schema/index.ts'
-import { metres, nanoseconds, plain } from '../text/figures.ts'
-import { draw, metricPower, powers, ink, line, runner, softInk } from './draw.ts'
+import { metres, nanoseconds, plain } from '../text/numbers.ts'
+import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
 import type { Drawing } from './draw.ts'
-import { legend } from './legend.ts'
 
 /** Below this an error is an accident of rounding, and drawn here [m]. */
 const FLOOR = 1e-15

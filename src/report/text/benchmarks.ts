@@ -104,11 +104,11 @@ ${
 `
 }
 
-/** A diagram of the report as an image, by its file's name. */
+/** A diagram of the report as an image below its title, by its file's name. */
 function picturesOf({ diagrams }: Report): (file: string) => string {
   return (file) => {
-    const { description } = diagrams.find((each) => each.file === file)!
-    return `![${description}](../public/report/${file})`
+    const { title, description } = diagrams.find((each) => each.file === file)!
+    return `**${title}**\n\n![${description}](../public/report/${file})`
   }
 }
 

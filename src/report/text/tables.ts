@@ -1,7 +1,7 @@
 import { integrators, scenes } from '../../physics/index.ts'
 import { engines as physicsEngines } from '../engines/index.ts'
 import type { FrameTime, Report } from '../schema/index.ts'
-import { eachInMetres, metres, nanoseconds, plain, times } from './figures.ts'
+import { eachInMetres, metres, nanoseconds, plain, times } from './numbers.ts'
 
 /** A table of the report: shown in `docs/benchmarks.md` and on the terminal. */
 export interface Table {

@@ -1,11 +1,28 @@
+import createMarkdown from 'markdown-it'
+import type { MarkdownIt } from 'markdown-it'
 import { escaped } from '../still/html.ts'
 import { Book } from './book.ts'
 import type { Chapter, Env } from './book.ts'
-import { nameOf } from './headings.ts'
+import { nameOf, headings } from './headings.ts'
 import type { Highlight } from './highlight.ts'
-import { markdown } from './markdown.ts'
 import type { Materials } from './materials.ts'
 import type { TextProblem } from './problem.ts'
+import { braces } from './braces.ts'
+import { fences } from './fences.ts'
+import { maths } from './maths.ts'
+import { resolve } from './resolve.ts'
+import { spans } from './spans.ts'
+
+/** Markdown without HTML, and with what this tutorial needs besides. */
+export function markdown(): MarkdownIt {
+  const md = createMarkdown({ html: false })
+  for (const rule of [maths, spans, braces, fences, headings, resolve]) md.use(rule)
+  const table = md.renderer.rules.table_open
+  md.renderer.rules.table_open = (...all) =>
+    `<div class="table" data-label="Table">${table?.(...all) ?? '<table>\n'}`
+  md.renderer.rules.table_close = () => '</table></div>\n'
+  return md
+}
 
 /** The tutorial as HTML, its contents and its sections; and everything in the text that has to be mended. */
 export function tutorialHtml(

@@ -3,7 +3,8 @@ import { frameClocks, scenes, simulate, timesteps } from '../../../src/physics/i
 import { experimentOf } from '../../../src/lab/state/check.ts'
 import { modeOf, modes } from '../../../src/lab/state/modes.ts'
 import { opening, openingOf } from '../../../src/lab/state/opening.ts'
-import { changed, choose } from '../../../src/lab/state/change.ts'
+import { changed } from '../../../src/lab/state/change.ts'
+import { choose } from '../../../src/lab/state/choose.ts'
 
 const ends = (state: typeof opening) =>
   state.runners.map((runner) => {

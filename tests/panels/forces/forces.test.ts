@@ -46,7 +46,7 @@ describe.each(moving)('in $scene $stopping', (given) => {
       const change = (v[row + 1]! - v[row]!) / (time[row + 1]! - time[row]!)
       const { mass } = trajectory.experiment.parameters
       // A step that ends at rest is shorter than its frame; one across a joint is the next piece's.
-      if (v[row + 1] === 0 || forces.vectors.rubbing === 'held') continue
+      if (v[row + 1] === 0 || forces.vectors.frictionKind === 'held') continue
       expect(dot(forces.vectors.sum, forces.vectors.along)).toBeCloseTo(mass! * change, 6)
       steps++
     }
@@ -70,14 +70,14 @@ describe.each(moving)('in $scene $stopping', (given) => {
 test('a block at rest is held by as much friction as it takes, not by μN', () => {
   const { trajectory } = new Simulation().run(opening).runners[0]!
   const forces = forcesOf({ trajectory, row: trajectory.frames })!
-  expect(forces.vectors.rubbing).toBe('held')
+  expect(forces.vectors.frictionKind).toBe('held')
   expect(length(forces.vectors.friction)).toBeCloseTo(9.81 * Math.sin(Math.PI / 12), 12)
   const { force } = largestOf(trajectory)
   expect(frictionText(trajectory.experiment, forces, force)).toBe(
     'Static friction holds it: 2.54\u202fN of at most 4.74\u202fN.',
   )
   const sliding = forcesOf({ trajectory, row: 2 })!
-  expect(sliding.vectors.rubbing).toBe('sliding')
+  expect(sliding.vectors.frictionKind).toBe('sliding')
   expect(frictionText(trajectory.experiment, sliding, force)).toBe(
     'Kinetic friction: μk N = 0.5 × 9.48\u202fN = 4.74\u202fN.',
   )
@@ -87,10 +87,10 @@ test('under the naive rule nothing is ever held', () => {
   const state = changed(opening, { kind: 'mode', mode: 'paper' })
   const { trajectory } = new Simulation().run(state).runners[0]!
   for (let row = 0; row <= trajectory.frames; row++)
-    expect(forcesOf({ trajectory, row })!.vectors.rubbing).toBe('sliding')
+    expect(forcesOf({ trajectory, row })!.vectors.frictionKind).toBe('sliding')
   const standing = simulate({ scene: 'ramp', parameters: { angle: 5 }, stopping: 'naive' })
   const first = forcesOf({ trajectory: standing, row: 0 })!
-  expect(first.vectors.rubbing).toBe('none')
+  expect(first.vectors.frictionKind).toBe('none')
   expect(first.vectors.friction).toEqual({ x: -0, y: 0 })
   expect(frictionText(standing.experiment, first, 10)).toMatch(/^No friction at v = 0/)
 })

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { opening } from '../../../src/lab/state/opening.ts'
-import { toCsv } from '../../../src/panels/share/csv.ts'
+import { toCsv } from '../../../src/panels/share/texts.ts'
 import { Simulation } from '../../../src/lab/state/simulation.ts'
 
 const { visible, exact } = new Simulation().run(opening)

@@ -1,9 +1,8 @@
 import { html, LitElement, nothing } from 'lit'
 import type { Report } from '../../../report/schema/index.ts'
 import { plain } from '../../../chart/numbers.ts'
-import { engineErrors, engineTimes } from './engines.ts'
+import { engineErrors, engineTimes, frameTimes } from './tables.ts'
 import { fetchReport } from './fetchReport.ts'
-import { frameTimes } from './frameTimes.ts'
 
 /** What the report says that comes with the page, fetched when it is unfolded. */
 class MeasuredReport extends LitElement {
@@ -32,7 +31,7 @@ class MeasuredReport extends LitElement {
   override render() {
     const { report, problem } = this
     return html`<details class="measured" @toggle=${this.toggled}>
-      <summary>What we measured: this project beside physics engines and handwritten loops</summary>
+      <summary>Measurements: this project beside physics engines and handwritten loops</summary>
       ${problem ? html`<p role="alert">${problem}</p>` : nothing}
       ${report ? this.content(report) : nothing}
       ${!report && !problem && this.asked ? html`<p class="soft">Loading …</p>` : nothing}

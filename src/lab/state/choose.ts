@@ -1,0 +1,19 @@
+import { frameClocks, timesteps } from '../../physics/index.ts'
+import type { Options } from '../../physics/index.ts'
+import type { RunnerState } from './state.ts'
+
+/**
+ * The value of a runner's frame clock or timestep after another was chosen from the menu: the options that both have
+ * keep their values, the others are at their initial ones.
+ */
+export function choose<Of extends 'frames' | 'timestep'>(
+  of: Of,
+  kind: string,
+  before: RunnerState[Of],
+): RunnerState[Of] {
+  const list = of === 'frames' ? frameClocks : timesteps
+  const options: Options = list.find(({ id }) => id === kind)!.options
+  const kept: Readonly<Record<string, unknown>> = { ...before }
+  const values = Object.entries(options).map(([key, { initial }]) => [key, kept[key] ?? initial])
+  return { kind, ...Object.fromEntries(values) } as RunnerState[Of]
+}
