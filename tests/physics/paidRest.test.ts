@@ -27,7 +27,7 @@ function fastSwings(count: number, seed: number): Experiment[] {
 }
 
 it.each(secondOrder)('%s is at rest only where friction has taken the energy', (integrator) => {
-  for (const experiment of fastSwings(samples(60), 20261128)) {
+  for (const experiment of fastSwings(samples(40, 400), 20261128)) {
     const { outcome, s, v } = simulate({ ...experiment, integrator })
     if (outcome.kind !== 'at-rest') continue
     // At rest, so it has to be so in truth: soon, within half of the energy that is still left to take.

@@ -42,7 +42,7 @@ async function watchOpening({
     requestAnimationFrame(sample)
   }, touch)
   await page.goto(new URL(hash, inject('address')).href)
-  await page.locator('lab-measures:defined').waitFor({ state: 'attached' })
+  await page.locator('slide-stage canvas').waitFor()
   const samples = () => page.evaluate(() => (window as unknown as { samples: Sample[] }).samples)
   return { page, samples }
 }
@@ -85,7 +85,7 @@ test('the blocks run once, then the number counts up, and then nothing moves', a
 test.each(['pointerdown', 'keydown', 'wheel'])('a %s on the lab ends it at once', async (touch) => {
   const { page, samples } = await watchOpening({ touch })
   await expect.poll(async () => played(await samples()).at(-1)).toMatchObject(end)
-  await page.waitForTimeout(300)
+  await page.waitForTimeout(500)
   const seen = played(await samples())
   const last = seen.map(({ time }) => time < 1).lastIndexOf(true)
   expect(seen[last]!.time).toBeGreaterThan(0.2)
@@ -94,14 +94,14 @@ test.each(['pointerdown', 'keydown', 'wheel'])('a %s on the lab ends it at once'
 
 test('with reduced motion it stands at its end', async () => {
   const { page, samples } = await watchOpening({ reducedMotion: 'reduce' })
-  await page.waitForTimeout(300)
+  await page.waitForTimeout(500)
   expect(played(await samples())).toEqual([])
   expect((await samples()).at(-1)).toMatchObject(end)
 })
 
 test('a link to an experiment shows the end of it', async () => {
   const { page, samples } = await watchOpening({ hash: '#angle=14' })
-  await page.waitForTimeout(300)
+  await page.waitForTimeout(500)
   expect((await samples()).length).toBeGreaterThan(5)
   expect(played(await samples())).toEqual([])
 })
