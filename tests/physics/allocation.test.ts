@@ -100,6 +100,8 @@ describe.skipIf(counted)('a step allocates nothing', () => {
       parameters: { muKinetic: 0, muStatic: 0 },
     },
     { scene: 'ramp', integrator: 'explicit-euler', stopping: 'naive' },
+    { scene: 'belt', integrator: 'rk4' },
+    { scene: 'half-pipe', timestep: { kind: 'tolerance', tolerance: 1e-6 } },
     ...integrators.map(({ id }) => ({ scene: 'ramp', integrator: id }) as const),
   ]
 

@@ -37,51 +37,65 @@ export const toTolerance = {
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
   start: ({ tolerance }: Values<typeof options>) => {
-    // The step that the last one recommends, and whether that one ended at an event. An object, since engines box a
-    // number that a closure keeps changing.
-    const next = { step: Infinity, afterEvent: false }
+    const next: Next = { tolerance, left: NaN, step: Infinity, factor: NaN, afterEvent: false }
     return (frame) => {
-      // #region advance
-      const { motion, time, frameDuration } = frame
-      let left = frameDuration
-      for (let tries = 0; left > 0 && motion.moving; tries++) {
-        if (tries === MOST_TRIES_A_FRAME) return frame.abandon()
-        let step = left / Math.max(1, Math.ceil(left / next.step))
-        frame.stateTime = time - left
-        const atEvent = tryStep(frame, step, next.afterEvent ? EARLY : 0)
-        step = 2 * motion.dt
-        frame.allowed = tolerance * step
-        const accepted = frame.error <= frame.allowed
-        const factor = Math.max(SAFETY * root(frame.allowed / frame.error, frame.order), SHORTER)
-        const recommended = step * Math.min(factor, LONGER)
-        // A step that the end of the frame cut short says nothing against a longer one.
-        next.step = accepted && factor >= 1 ? Math.max(recommended, next.step) : recommended
-        if (accepted) {
-          left = step === left ? 0 : left - step
-          next.afterEvent = atEvent
-        } else frame.restore()
-        frame.judge(accepted)
-      }
-      frame.stateTime = time
-      // #endregion
+      next.left = frame.frameDuration
+      let tries = 0
+      while (next.left > 0 && frame.motion.moving && tries++ < MOST_TRIES_A_FRAME)
+        advance(frame, next)
+      if (tries > MOST_TRIES_A_FRAME) frame.abandon()
+      else frame.stateTime = frame.time
     }
   },
 } as const satisfies TimestepPolicy
 
-/**
- * Takes a step, takes it back, and takes it again in two halves, whose length it leaves in `motion.dt`. A step in which
- * something happens, later than that part of it, is cut to end there, since what comes before the event, or after it, is one
- * and the same step on both ways. Returns whether it was. Sets `error` to
- * how far off the halves are, by how far they are from the whole (Richardson, 1911): in place, and in a second's way
- * at the speed [m].
- */
-function tryStep(frame: FrameContext, step: number, early: number): boolean {
+/** Tries a step of the frame, keeps it or takes it back, and decides how long the next is. */
+function advance(frame: FrameContext, next: Next): void {
+  // #region advance
   const { motion } = frame
+  frame.stateTime = frame.time - next.left
+  motion.dt = next.left / Math.max(1, Math.ceil(next.left / next.step))
+  const atEvent = tryStep(frame, next)
+  const step = 2 * motion.dt
+  frame.allowed = next.tolerance * step
+  const accepted = frame.error <= frame.allowed
+  adapt(next, frame)
+  // A step that the end of the frame cut short says nothing against a longer one.
+  const keeps = accepted && next.factor >= 1 && next.step > step * next.factor
+  if (!keeps) next.step = step * next.factor
+  if (accepted) {
+    next.left = step === next.left ? 0 : next.left - step
+    next.afterEvent = atEvent
+  } else frame.restore()
+  frame.judge(accepted)
+  // #endregion
+}
+
+/** What one try hands on to the next. Numbers stand in fields, since engines box one that is passed or returned. */
+interface Next {
+  /** [m/s] */
+  readonly tolerance: number
+  /** What is left of the frame [s]. */
+  left: number
+  /** The length that the last step recommends [s], and by which factor it was longer or shorter. */
+  step: number
+  factor: number
+  /** The last step was cut to end at an event. */
+  afterEvent: boolean
+}
+
+/**
+ * Takes a step of `motion.dt`, takes it back, and takes it again in two halves, whose length it leaves there. A step in
+ * which something happens is cut to end there, since what comes before the event, or after it, could be one and the
+ * same step on both ways. Returns whether it was. Sets `error` to how far off the halves are, by how far they are from the
+ * whole (Richardson, 1911): in place, and in a second's way at the speed [m].
+ */
+function tryStep(frame: FrameContext, { afterEvent }: Next): boolean {
+  const { motion, order } = frame
   frame.save()
-  motion.dt = step
   frame.step()
   const { firstPart } = motion
-  const atEvent = firstPart > early * step && firstPart < step
+  const atEvent = firstPart < motion.dt && firstPart > (afterEvent ? EARLY * motion.dt : 0)
   if (atEvent) {
     frame.restore()
     motion.dt = firstPart
@@ -92,31 +106,31 @@ function tryStep(frame: FrameContext, step: number, early: number): boolean {
   motion.dt = 0.5 * dt
   frame.step()
   frame.step(1, 1)
-  const place = beyondRounding(motion.s, s)
-  const speed = beyondRounding(motion.v, v)
-  frame.error = (place + speed) / (power(2, frame.order) - 1)
+  const place = Math.abs(motion.s - s)
+  const speed = Math.abs(motion.v - v)
+  let error = place <= ROUNDING * (Math.abs(s) + Math.abs(motion.s)) ? 0 : place
+  if (speed > ROUNDING * (Math.abs(v) + Math.abs(motion.v))) error += speed
+  // Off by 2ᵖ of what the halves are.
+  let ratio = 1
+  for (let i = 0; i < order; i++) ratio *= 2
+  frame.error = error / (ratio - 1)
   return atEvent
 }
 
-function beyondRounding(a: number, b: number): number {
-  const difference = Math.abs(a - b)
-  return difference <= ROUNDING * (Math.abs(a) + Math.abs(b)) ? 0 : difference
-}
-
-/** xⁿ. `Math.pow` differs from engine to engine. */
-function power(x: number, n: number): number {
-  let result = x
-  for (let i = 1; i < n; i++) result *= x
-  return result
-}
-
-/** The n-th root of x, as far as a step may change: by Newton's method, from above. Beyond that, any number beyond. */
-function root(x: number, n: number): number {
+/**
+ * Sets the factor for the next step: the p-th root of what is allowed in parts of the error, since the error in a second
+ * falls with the p-th power of the step. By Newton's method from above, down to the smallest factor that matters:
+ * `Math.pow` differs from engine to engine.
+ */
+function adapt(next: Next, { allowed, error, order }: FrameContext): void {
+  const x = allowed / error
   let y = 2 * LONGER
   while (y > SHORTER) {
-    const next = y - (y - (x / power(y, n)) * y) / n
-    if (!(next < y)) break
-    y = next
+    let power = 1
+    for (let i = 1; i < order; i++) power *= y
+    const root = y - (y - x / power) / order
+    if (!(root < y)) break
+    y = root
   }
-  return y
+  next.factor = Math.min(Math.max(SAFETY * y, SHORTER), LONGER)
 }
