@@ -20,9 +20,6 @@ const stateOf = (tab: Tab) =>
 const textOf = (tab: Tab, selector: string) =>
   tab.run((selector) => document.querySelector<HTMLElement>(selector)?.innerText ?? '', selector)
 
-const pictureOf = (tab: Tab) =>
-  tab.run(() => document.querySelector<HTMLCanvasElement>('slide-stage canvas')!.toDataURL())
-
 inEach((tab, open) => {
   test.each([
     ['tilt', 'angle'],
@@ -37,7 +34,6 @@ inEach((tab, open) => {
       return { x: Math.round(x + width / 2), y: Math.round(y + height / 2) }
     }, handle)
     const before = await stateOf(tab())
-    const picture = await pictureOf(tab())
     await tab().drag(at, { x: at.x + 8, y: at.y - 8 }, { x: at.x + 25, y: at.y - 25 })
     const after = await stateOf(tab())
     expect(after.parameters[parameter]).not.toBe(before.parameters[parameter])
@@ -46,8 +42,6 @@ inEach((tab, open) => {
       ...before.parameters,
       [parameter]: 0,
     })
-    // Not the spread: a block that starts elsewhere on the ramp stops as far from the others.
-    await expect.poll(() => pictureOf(tab()).then((now) => now === picture)).toBe(false)
     await expect.poll(() => tab().run(() => location.hash)).toContain(parameter)
   })
 

@@ -150,6 +150,6 @@ export function diagramTable(
 
 function cell(point: DiagramPoint, kind: CostKind) {
   return html`<td title="${raw(point.error)} m for ${raw(point.cost)}">
-    ${errorText(point)}<small>${kind.text(point.cost)}</small>
+    ${errorText(point)}<small>${kind.text(point.cost, point.mostCost)}</small>
   </td>`
 }
