@@ -15,7 +15,7 @@ export default defineConfig({
     emptyOutDir: false,
     modulePreload: false,
     rolldownOptions: {
-      input: { 'slide-lab': 'src/elements.ts' },
+      input: { 'slide-lab': 'src/slideLab.ts' },
       preserveEntrySignatures: 'strict',
       output: { entryFileNames: '[name].js', codeSplitting: false },
     },

@@ -47,7 +47,7 @@ function nothingByAddress(): Plugin {
     },
     {
       file: 'fetchReport.ts',
-      from: "await fetch(new URL('report/report.json', site()))",
+      from: "await fetch(new URL('report/report.json', home))",
       to: 'new Response(report)',
       with: "import report from '/public/report/report.json?raw'",
     },

@@ -1,19 +1,18 @@
-import { setSite } from './lab/site.ts'
+import { published, setSite } from './lab/site.ts'
 import { SlideFigureElement } from './elements/figure.ts'
 import { SlideLabElement } from './elements/lab.ts'
 import { defineLab } from './panels/slideLab.ts'
 
 /**
- * The two elements for other people's pages, in one module: `<script type="module" src="…/slide-lab.js"></script>`.
- * Markup may come before or after it, and both may stand in shadow roots. What each offers stands above its class, and
- * in custom-elements.json.
+ * The two elements for other people's pages, in one module. Markup may come before or after it, and both may stand in
+ * shadow roots. What each offers stands above its class, and in custom-elements.json.
  */
 export { SlideFigureElement, SlideLabElement }
 export { setSite }
 
 // A server has no page to define them in. A page that has it twice, from two places, keeps the first.
 if (typeof document === 'object' && !customElements.get('slide-lab')) {
-  setSite(new URL(/* @vite-ignore */ './', import.meta.url).href)
+  setSite(published)
   defineLab(SlideLabElement)
   customElements.define('slide-figure', SlideFigureElement)
 }

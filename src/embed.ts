@@ -38,4 +38,7 @@ function answerPage(content: HTMLElement): void {
     tell()
   })
   new ResizeObserver(tell).observe(content)
+  // Of a frame that is not in view nothing is drawn, so that no size is observed.
+  new MutationObserver(tell).observe(content, { childList: true, subtree: true })
+  document.fonts.addEventListener('loadingdone', tell)
 }

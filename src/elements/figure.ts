@@ -26,7 +26,7 @@ type Given = Readonly<Record<string, unknown>> | string | null
  * `toStart()`, `toEnd()`, `stepFrames(count)`.
  * @method {(values: object) => void} set - Changes what controls say, and has it come alive. Throws RangeError for a
  * control or a value that there is not.
- * @fires {CustomEvent<Values>} change - A control has changed, by the reader or by the page. It bubbles.
+ * @fires {CustomEvent<Values>} change - A control has changed, by the reader or by the page. It bubbles and is composed.
  * @fires {CustomEvent<{ time: number }>} timeupdate - The instant shown has moved [s]; while it plays, as long as it can be
  * seen.
  * @fires {CustomEvent<{ message: string }>} error - There is no such figure, control, value or theme.

@@ -3,6 +3,7 @@ import type { PropertyDeclaration, PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Experiment, Problem } from '../physics/index.ts'
 import { experimentOf } from '../lab/state/check.ts'
+import { onSiteChange } from '../lab/site.ts'
 import type { LabState } from '../lab/state/state.ts'
 import { SlideLab } from '../panels/slideLab.ts'
 import { stateAsked } from './attributes.ts'
@@ -52,7 +53,7 @@ const byValue: PropertyDeclaration = {
  * `toStart()`, `toEnd()`, `stepFrames(count)`.
  * @method {(options?: FocusOptions) => void} focus - Gives it the focus, and with it the keys: Space plays, ← → go by frames.
  * @fires {CustomEvent<{ experiments: readonly Experiment[] }>} change - What is run has become another, by the reader or
- * by the page.
+ * by the page. It bubbles and is composed.
  * @fires {CustomEvent<{ time: number }>} timeupdate - The instant shown has moved [s]; while it plays, as long as it can be
  * seen.
  * @fires {CustomEvent<{ message: string, problems: readonly Problem[] }>} error - What was asked for can't be run.
@@ -66,7 +67,7 @@ const byValue: PropertyDeclaration = {
  * @csspart runners - The table of blocks.
  * @csspart parameters - The sliders of the scene.
  * @csspart plots - The curves over time.
- * @csspart link - The line that leads to the whole lab, where it is compact.
+ * @csspart link - The line below a compact one: what can be shared, and the link to the whole lab.
  * @csspart message - What was asked for and can't be run.
  * @cssprop --size - The text size that all other sizes go by; the reader's own, if nothing is said.
  * @cssprop --font-text, --font-controls - Typefaces: of large numbers and of letters in formulas, and of all else.
@@ -101,6 +102,7 @@ export class SlideLabElement extends SlideLab {
   #refused: readonly Problem[] = []
   /** What the page has been told of, or had asked for itself at first. */
   #known: string | undefined
+  #stopAskingSite = () => {}
 
   constructor() {
     super()
@@ -130,6 +132,12 @@ export class SlideLabElement extends SlideLab {
     super.connectedCallback()
     // What its root has.
     this.removeAttribute('tabindex')
+    this.#stopAskingSite = onSiteChange(() => this.requestUpdate())
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback()
+    this.#stopAskingSite()
   }
 
   override createRenderRoot(): HTMLElement {
@@ -194,7 +202,9 @@ export class SlideLabElement extends SlideLab {
     const now = JSON.stringify(experiments)
     const before = this.#known
     this.#known = now
-    if (before !== undefined && before !== now) this.#tell('change', { experiments })
+    if (before === undefined || before === now) return
+    const detail = { experiments }
+    this.dispatchEvent(new CustomEvent('change', { detail, bubbles: true, composed: true }))
   }
 
   #tell(type: string, detail: object): void {

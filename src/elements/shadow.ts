@@ -1,6 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import { onVisible } from '../ui/visibility.ts'
 import { themeChanged } from '../ui/theme.ts'
+import { keepKeys } from './keys.ts'
+import { isOnDark, onSurroundings } from './surroundings.ts'
 import { styles } from './styles.ts'
 
 const printing = ['beforeprint', 'afterprint'] as const
@@ -10,14 +12,14 @@ const printing = ['beforeprint', 'afterprint'] as const
  * into, with the element's name and `-root`; it takes the focus in the element's place: a shadow host that can have the
  * focus itself, but not by Tab, would keep Tab from all that is in it. Below it is the page's caption.
  *
- * The element is dark where the page is: as the browser draws its own buttons there, by the CSS property `color-scheme`.
- * Paper is light.
+ * The element is dark where the page is: where its `color-scheme` or the background behind the element is. Paper is
+ * light.
  */
 export class Shadow implements ReactiveController {
   readonly root: HTMLElement
   private readonly caption = document.createElement('slot')
   private readonly states: CustomStateSet
-  private stopWatching = () => {}
+  private stopWatching: (() => void)[] = []
 
   constructor(private readonly host: ReactiveControllerHost & HTMLElement) {
     this.states = host.attachInternals().states
@@ -35,6 +37,7 @@ export class Shadow implements ReactiveController {
     })
     host.attachShadow({ mode: 'open' }).append(edge, this.caption)
     host.addController(this)
+    keepKeys(host)
   }
 
   hostConnected(): void {
@@ -45,17 +48,24 @@ export class Shadow implements ReactiveController {
     this.follow()
     for (const type of printing) addEventListener(type, this.follow)
     // What is not displayed, in a closed tab of the page, has no transitions: it looks again when it is shown.
-    this.stopWatching = onVisible(this.host, () => this.follow())
+    this.stopWatching = [
+      onVisible(this.host, () => this.follow()),
+      onSurroundings(this.host, () => this.follow()),
+    ]
   }
 
   hostDisconnected(): void {
-    this.stopWatching()
+    for (const stop of this.stopWatching) stop()
     for (const type of printing) removeEventListener(type, this.follow)
   }
 
   private readonly follow = (event?: Event): void => {
     const { columnRuleColor } = getComputedStyle(this.caption)
-    const isDark = event?.type !== printing[0] && columnRuleColor === 'rgb(255, 255, 255)'
+    const theme = this.host.getAttribute('theme')
+    const isAsked = theme === 'light' || theme === 'dark'
+    const isDark =
+      event?.type !== printing[0] &&
+      (columnRuleColor === 'rgb(255, 255, 255)' || (!isAsked && isOnDark(this.host)))
     if (isDark === this.states.has('dark')) return
     if (isDark) this.states.add('dark')
     else this.states.delete('dark')

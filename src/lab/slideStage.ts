@@ -1,4 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
+import { measureScale } from '../chart/pen.ts'
 import type { NumberOption } from '../physics/index.ts'
 import { shownNumber } from '../chart/numbers.ts'
 import type { ForceDrawing } from '../view/forces.ts'
@@ -54,6 +55,7 @@ export class SlideStage extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback()
     const redraw = () => {
+      measureScale(this.canvas)
       this.stage.refresh()
       this.requestUpdate()
     }
@@ -64,11 +66,14 @@ export class SlideStage extends LitElement {
     }
     const sizes = new ResizeObserver(redraw)
     sizes.observe(this.canvas)
+    // A deck of slides scales them to the window.
+    addEventListener('resize', redraw)
     const stopStyles = onRestyle(recolour)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       stopTime()
       sizes.disconnect()
+      removeEventListener('resize', redraw)
       stopStyles()
     }
   }

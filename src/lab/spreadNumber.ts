@@ -27,7 +27,7 @@ export function spreadNumber({ simulated: { spread, visible } }: LabView, counte
   )
   return html`<p class="spread" part="spread">
     <span>${label}</span>
-    <output title=${title} aria-busy=${counted < 1}
+    <output title=${title} aria-busy=${counted < 1} ?data-words=${!/\d/.test(value)}
       >${value} ${remark ? html`<small>(${remark})</small>` : ''}</output
     >
   </p>`

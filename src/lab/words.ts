@@ -24,6 +24,8 @@ function stateText({ trajectory }: SimulatedRunner, row: number): string {
   const over = time <= trajectory.stateTime[row]!
   if (kind === 'at-rest' && over) return 'stopped at'
   if (kind === 'left-the-track' && over) return `left the track after ${seconds(time)} at`
+  if (trajectory.abandoned && over)
+    return `could not keep to its tolerance after ${seconds(time)}, last seen at`
   if (kind === 'diverged' && over) return `blew up after ${seconds(time)}, last seen at`
   return 'at'
 }

@@ -11,6 +11,8 @@ export interface Spread {
    * distance says how far apart they are.
    */
   readonly agree: boolean
+  /** Some of them could not keep to the tolerance asked for. */
+  readonly abandoned: boolean
   /** Largest − smallest final position [m]. */
   readonly distance: number
   /** The time at which the first and the last of them left the track [s]; NaN where none did. */
@@ -45,6 +47,7 @@ export function spreadOf(runs: readonly Trajectory[]): Spread {
   return {
     outcomes,
     agree: new Set(outcomes.map((kind) => (kind === 'at-rest' ? 'moving' : kind))).size === 1,
+    abandoned: runs.some(({ abandoned }) => abandoned),
     distance: Math.max(...ends) - Math.min(...ends),
     earliest: left.length > 0 ? Math.min(...left) : NaN,
     latest: left.length > 0 ? Math.max(...left) : NaN,

@@ -17,6 +17,8 @@ export type { Outcome, Run } from './run.ts'
 export type { Trajectory } from './trajectory.ts'
 export { traceFrame } from './trace.ts'
 export type { Attempt, Evaluation, PolicyStep, Standing, Stretch, TriedStep } from './trace.ts'
+export { triesOf } from './tries.ts'
+export type { Tries } from './tries.ts'
 export { exact, exactMotion } from './exact/index.ts'
 export type { Scene } from './scene.ts'
 export type { ExactMotion, Parameters, Place, State } from './state.ts'
@@ -39,6 +41,7 @@ export type {
   NumberOption,
   Option,
   Options,
+  SliderRange,
 } from './options.ts'
 
 export { forcesAt } from './forces.ts'

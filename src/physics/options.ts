@@ -19,11 +19,20 @@ export interface NumberOption {
   /** Only whole numbers are valid. */
   readonly integer?: boolean
   /** What a slider offers; typing may go beyond, up to what is valid. */
-  readonly slider: { readonly from: number; readonly to: number; readonly step: number }
+  readonly slider: SliderRange
   /** What a control shows when the option first appears. */
   readonly initial: number
   /** May be left out: it is `initial` then. */
   readonly optional?: boolean
+}
+
+/** What a slider offers. */
+export interface SliderRange {
+  readonly from: number
+  readonly to: number
+  /** From one place of the slider to the next: of the number, or where it is logarithmic of its decimal logarithm. */
+  readonly step: number
+  readonly scale?: 'logarithmic'
 }
 
 /** One of a few words. */

@@ -42,6 +42,8 @@ export class Run implements FrameContext {
   lostTime = NaN
   /** Frames so far. */
   frames = 0
+  /** It ended because the timestep policy would have needed more steps than a run may take. */
+  abandoned = false
   /** Steps that the timestep policy asked for, but for those that it took back. */
   steps = 0
   readonly order: number
@@ -156,6 +158,7 @@ export class Run implements FrameContext {
 
   abandon(): void {
     if (this.ended) return
+    this.abandoned = true
     this.motion.end('diverged')
     this.outcomeTime = this.stateTime
   }

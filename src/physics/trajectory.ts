@@ -25,6 +25,8 @@ export interface Trajectory {
   evaluations: number
   /** Implicit steps whose equation was not solved to rounding. */
   unsolved: number
+  /** It is called diverged because the policy found no step short enough for its tolerance, within the steps that a run may take. */
+  abandoned: boolean
   /** Time that the policy dropped [s]. */
   lostTime: number
   /** How the run ended, and when on the clock of `stateTime` [s]. */
@@ -70,11 +72,11 @@ export class Recorder {
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {
     this.resize(this.rows)
     const { time, stateTime, s, v, drawnS, heat, work } = this
-    const { frames, steps, evaluations, lostTime, outcome } = run
+    const { frames, steps, evaluations, lostTime, outcome, abandoned } = run
     const { unsolved } = run.motion
     return {
       ...{ experiment, frames, time, stateTime, s, v, drawnS, heat, work },
-      ...{ steps, evaluations, unsolved, lostTime, outcome },
+      ...{ steps, evaluations, unsolved, abandoned, lostTime, outcome },
     }
   }
 

@@ -1,3 +1,6 @@
+import type { SliderRange } from '../physics/index.ts'
+import { stepped } from './sliderScale.ts'
+
 /** Where a pointer is on an element, from its corner and in its own pixels, which a page may have scaled. */
 export function pointIn(
   element: HTMLElement,
@@ -8,13 +11,6 @@ export function pointIn(
   // It is in whole pixels: a smaller difference is none.
   const scale = Math.abs(own - width) < 1 ? 1 : own / width
   return { x: (clientX - left) * scale, y: (clientY - top) * scale }
-}
-
-/** What a slider's keys need to know of it. */
-interface Slider {
-  readonly from: number
-  readonly to: number
-  readonly step: number
 }
 
 const moves: Readonly<Record<string, number>> = {
@@ -29,15 +25,14 @@ const moves: Readonly<Record<string, number>> = {
 /** The value that a key of a slider leads to, which may be beyond its ends; undefined for any other key. */
 export function valueByKey(
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
-  { from, to, step }: Slider,
+  slider: SliderRange,
   value: number,
 ): number | undefined {
-  if (key === 'Home') return from
-  if (key === 'End') return to
+  if (key === 'Home') return slider.from
+  if (key === 'End') return slider.to
   const steps = moves[key]
   if (steps === undefined) return undefined
-  // Rounded, so that 0.1 + 0.2 is 0.3.
-  return Number((value + steps * step * (shiftKey ? 10 : 1)).toPrecision(12))
+  return stepped(slider, value, shiftKey ? 10 * steps : steps)
 }
 
 let count = 0

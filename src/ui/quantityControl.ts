@@ -6,6 +6,7 @@ import { shownNumber, writeNumber } from '../chart/numbers.ts'
 import { readNumber } from '../chart/typedNumber.ts'
 import { freshId } from './input.ts'
 import { icon } from './icons.ts'
+import { placeOf, stepped, valueAt } from './sliderScale.ts'
 
 /** What a control needs to know of the number that it sets. */
 export type Quantity = Pick<
@@ -19,7 +20,8 @@ export type Quantity = Pick<
  * - `quantity`: its label, unit, range
  * - `value`: the number as it stands
  * - `initial`: if given, a reset button appears where the value differs from it
- * - `layout`: `full` (the default), `inline` for label and field, `bare` for the field alone
+ * - `layout`: `full` (the default), `inline` for label and field and, where powers of ten are hard to type, the slider, `bare`
+ *   for the field alone
  * - `labelled`: whose number it is, for screen readers
  * - `pick`: called with what the reader chose, a number or, where it is none, the text; answers with what is wrong
  *   with it, or with nothing. What is wrong stays in the field, with the answer under it
@@ -96,6 +98,7 @@ class QuantityControl extends LitElement {
         ${unit ? html`<span class="unit">${unit}</span>` : nothing}
       </span>
       ${full ? this.reset() : nothing}
+      ${layout === 'inline' && quantity.slider.scale ? this.slider() : nothing}
       ${problem ? html`<p class="problem" id="${this.inputId}-problem" role="alert">${problem}</p>` : nothing}
     `
   }
@@ -103,23 +106,27 @@ class QuantityControl extends LitElement {
   private get shown(): string {
     const { draft, typing, value, quantity } = this
     if (draft !== undefined) return draft
+    if (quantity.slider.scale) return value.toExponential()
     if (typing) return writeNumber(value)
     return value === quantity.max && quantity.atMax ? quantity.atMax : shownNumber(value)
   }
 
   private slider() {
+    const { labelled } = this
     const { label, unit, slider } = this.quantity
-    const share = (this.value - slider.from) / (slider.to - slider.from)
+    const [from, to, at] = [slider.from, slider.to, this.value].map((each) => placeOf(slider, each))
+    const share = (at! - from!) / (to! - from!)
     return html`<input
       type="range"
-      aria-label="${label}, slider"
+      aria-label="${label}, slider${labelled ? `, ${labelled}` : ''}"
       aria-valuetext="${shownNumber(this.value)} ${unit}"
-      min=${slider.from}
-      max=${slider.to}
+      min=${from!}
+      max=${to!}
       step=${slider.step}
       .style="--filled: ${Math.min(1, Math.max(0, share))}"
-      .value=${live(String(this.value))}
-      @input=${(event: InputEvent) => this.offer((event.target as HTMLInputElement).valueAsNumber)}
+      .value=${live(String(at))}
+      @input=${(event: InputEvent) =>
+        this.offer(valueAt(slider, (event.target as HTMLInputElement).valueAsNumber))}
     />`
   }
 
@@ -158,13 +165,15 @@ class QuantityControl extends LitElement {
   }
 
   private readonly pressed = (event: KeyboardEvent): void => {
-    if (event.key === 'Escape') this.settle()
+    if (event.key === 'Escape' && this.draft !== undefined) {
+      event.preventDefault()
+      this.settle()
+    }
     if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return
     event.preventDefault()
     const { min, max, slider } = this.quantity
     const steps = (event.key === 'ArrowUp' ? 1 : -1) * (event.shiftKey ? 10 : 1)
-    // Rounded to what the slider can say, so that 0.1 + 0.2 is 0.3.
-    const next = Number((this.value + steps * slider.step).toPrecision(12))
+    const next = stepped(slider, this.value, steps)
     this.offer(Math.min(max, Math.max(min, next)))
   }
 

@@ -21,12 +21,12 @@ export function drawAngle(
   const { scene, parameters } = picture
   const angle = (parameters.angle! * Math.PI) / 180
   const vertex = vertexOf(picture, layout, projection)
-  // Uphill is against growing s.
-  const side = -scene.facing
+  const { spring, climbs, bend } = viewOf(scene)
+  // Uphill is against growing s, but on a track that climbs first.
+  const side = climbs ? scene.facing : -scene.facing
   const { lanes, width } = layout
-  const { spring, bend } = viewOf(scene)
-  const foot = bend?.(parameters).from ?? drawnEnds(layout).to
-  const slope = (foot - drawnEnds(layout).from) * layout.camera.scale
+  const { from, to } = drawnEnds(layout)
+  const slope = ((bend?.(parameters).from ?? to) - from) * layout.camera.scale
   // Far enough out for the number to have room between the horizontal and the dots under the track.
   const room = lanes.depth + 22
   const radius = clamp(room / Math.tan(angle), 60, Math.max(60, 0.45 * slope))
@@ -69,9 +69,13 @@ export function drawAngle(
 }
 
 /** Where the line of the slope meets the level ground. */
-function vertexOf({ scene, parameters }: Picture, layout: Layout, projection: Projection): Point {
-  const bend = viewOf(scene).bend?.(parameters)
-  if (!bend) return projection.at(drawnEnds(layout).to)
+function vertexOf(picture: Picture, layout: Layout, projection: Projection): Point {
+  const { scene, parameters } = picture
+  const { climbs, bend: bendOf } = viewOf(scene)
+  const { from, to } = drawnEnds(layout)
+  if (climbs) return projection.at(from)
+  const bend = bendOf?.(parameters)
+  if (!bend) return projection.at(to)
   // Both tangents of an arc are as long, from where it begins and ends to where they cross.
   const { x, y } = projection.at(bend.to)
   const tangent = bend.radius * Math.tan((parameters.angle! * Math.PI) / 360)

@@ -3,6 +3,7 @@ import { fixed, metres } from '../chart/numbers.ts'
 import { widthOf, write } from '../chart/text.ts'
 import { decimalsOf, roundAbove, roundBelow } from '../chart/ticks.ts'
 import { drawAngle } from './angleArc.ts'
+import { drawBelt } from './belt.ts'
 import { drawGround } from './ground.ts'
 import type { Palette } from './palette.ts'
 import { viewOf } from './scenes.ts'
@@ -76,9 +77,11 @@ function drawScenery(
 ): Box[] {
   context.fillStyle = palette.sheet
   context.fillRect(0, 0, layout.width, layout.height)
-  if (viewOf(picture.scene).falls) drawPost(context, picture, layout, projection, palette)
+  const { falls, speed } = viewOf(picture.scene)
+  if (falls) drawPost(context, picture, layout, projection, palette)
   else {
-    drawGround(context, picture, layout, projection, palette)
+    const draw = speed ? drawBelt : drawGround
+    draw(context, picture, layout, projection, palette)
     drawScaleBar(context, layout, palette)
   }
   return 'angle' in picture.parameters

@@ -47,7 +47,10 @@ export function captionOf(
   const { runner, end, distance, body } = actor
   const wordy = runners.length <= WORDY
   const ending = end ? words[end.kind] : ''
-  const where = ending || (wordy ? place(distance, 5 / camera.scale) : '')
+  const there = wordy ? place(distance, 5 / camera.scale) : ''
+  const left = end?.kind === 'left-the-track' && there && `left at ${there}, ${seconds(end.time)}`
+  const where =
+    left || (runner?.trajectory.abandoned && ending ? 'tolerance not met' : ending) || there
   const text = [runner ? runner.name : 'exact', where].filter(Boolean).join(' · ')
   const time = wordy && end?.kind === 'at-rest' ? seconds(end.time) : ''
   const pole = top(body).x

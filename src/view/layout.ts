@@ -8,7 +8,7 @@ import type { Extent } from './extent.ts'
 import type { Picture } from './picture.ts'
 import { viewOf } from './scenes.ts'
 import type { Bend } from './scenes.ts'
-import { sizesOf, arrowReach } from './sizes.ts'
+import { arrowReach, beltDepth, sizesOf } from './sizes.ts'
 import type { Sizes } from './sizes.ts'
 
 /** How a picture is laid out on a canvas: all sizes in CSS pixels, all places along the track in metres. */
@@ -34,7 +34,7 @@ export function layOut(picture: Picture, width: number, height: number): Layout 
   const camera = viewOf(picture.scene).falls ? { ...fitted, x: Math.round(0.36 * width) } : fitted
   const room = slopeRoom(picture, sizes.block)
   const ends = {
-    from: extent.from - room.top / camera.scale,
+    from: highestFoot(picture, extent) - room.top / camera.scale,
     to: extent.to + room.foot / camera.scale,
   }
   const still = worldPoint(
@@ -62,16 +62,24 @@ export function heldCamera(layout: Layout, picture: Picture, parameters: Paramet
   return { scale, x: layout.pin.x - scale * still.x, y: layout.pin.y + scale * still.y }
 }
 
-/** The point of the track about which a slope is tilted [m]: its foot. */
+/** The point of the track about which a slope is tilted [m]: its foot, or the top of a hill. */
 function stillAt({ scene }: Picture, parameters: Parameters, ends: Extent): number {
-  const bend = viewOf(scene).bend?.(parameters)
-  if (bend?.joined) return bend.to
+  const { bend: bendOf, climbs } = viewOf(scene)
+  const bend = bendOf?.(parameters)
+  if (bend?.joined) return climbs ? (bend.from + bend.to) / 2 : bend.to
   return 'angle' in parameters ? ends.to : 0
 }
 
-/** How far a slope goes on beyond the run: a spring needs room above for its coil. */
+/** How far a slope goes on beyond the run: a spring needs room above for its coil, a belt at its end for a roller. */
 function slopeRoom({ scene }: Picture, block: number): { top: number; foot: number } {
-  return { top: viewOf(scene).spring ? 2.6 * block : 1.6 * block, foot: 0.75 * block }
+  const { spring, speed } = viewOf(scene)
+  return { top: spring ? 2.6 * block : 1.6 * block, foot: speed ? 1.7 * block : 0.75 * block }
+}
+
+/** How far along it a slope may begin [m]: where the run does, and a hill on the straight that leads up to it. */
+function highestFoot({ scene, parameters }: Picture, { from }: Extent): number {
+  const { climbs, bend } = viewOf(scene)
+  return climbs ? Math.min(from, bend!(parameters).from) : from
 }
 
 /** Everything that must be seen, with the room around it. */
@@ -87,7 +95,7 @@ function subjectsOf(picture: Picture, extent: Extent, sizes: Sizes, height: numb
   const beside = (s: number, offset: Point, rim: number) =>
     subject(s, rim - offset.x, rim + offset.x, rim - offset.y, rim + offset.y)
 
-  const { falls, bend: bendOf } = viewOf(scene)
+  const { falls, bend: bendOf, speed } = viewOf(scene)
   // From the block's middle to the end of the letters at the longest arrow's tip.
   const reach = picture.forces ? sizes.force + 20 : 0
   const side = Math.max(0.8 * block, 0.8 * reach)
@@ -98,7 +106,8 @@ function subjectsOf(picture: Picture, extent: Extent, sizes: Sizes, height: numb
   // Labels keep clear of the arrows too.
   const stack = Math.min(labels + 0.35 * reach, Math.max(labels, 0.5 * height))
   const above = falls ? Math.max(block, reach) : Math.max(stack, reach + block / 2)
-  const below = falls ? Math.max(block, reach) : Math.max(lanes.depth + 34, reach - block / 2)
+  const depth = speed ? beltDepth(lanes) + 30 : lanes.depth + 34
+  const below = falls ? Math.max(block, reach) : Math.max(depth, reach - block / 2)
   const subjects = samples(extent).map((s) => subject(s, side, side, above, below))
 
   const start = parameters.position!
@@ -113,9 +122,8 @@ function subjectsOf(picture: Picture, extent: Extent, sizes: Sizes, height: numb
   if (bend && !bend.joined) {
     for (const s of lips(bend, extent)) subjects.push(subject(s, 26, 26, 18, 40))
   } else {
-    subjects.push(
-      beside(extent.from, moved({ x: 0, y: 0 }, unit.at(extent.from).along, -room.top), 26),
-    )
+    const first = highestFoot(picture, extent)
+    subjects.push(beside(first, moved({ x: 0, y: 0 }, unit.at(first).along, -room.top), 26))
     const foot = moved({ x: 0, y: 0 }, unit.at(extent.to).along, room.foot)
     subjects.push(beside(extent.to, foot, 20))
     if (bend) subjects.push(subject(bend.to, 20, 60, 20, below))

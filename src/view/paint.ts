@@ -4,6 +4,7 @@ import { actorsOf } from './actors.ts'
 import type { Actor } from './actors.ts'
 import { drawAngle } from './angleArc.ts'
 import type { Backdrop } from './backdrop.ts'
+import { drawBeltMarks } from './belt.ts'
 import { strokeBody, centre, fillBody } from './body.ts'
 import { drawCaptions, placeCaptions } from './captions.ts'
 import { drawHandleNumbers, numberBoxes } from './handleNumbers.ts'
@@ -33,8 +34,10 @@ export function paint(
   context.lineJoin = 'round'
   // With the exact block as the last of them there is always one for the spring to hang on.
   const selected = picture.selected === undefined ? undefined : actors[picture.selected]
-  const { falls, spring } = viewOf(scene)
-  if (spring) drawSpring(context, (selected ?? actors[0]!).body, layout, projection, palette)
+  const { falls, spring, speed } = viewOf(scene)
+  if (speed) drawBeltMarks(context, picture, layout, projection, palette)
+  if (spring)
+    drawSpring(context, (selected ?? actors[0]!).body, picture, layout, projection, palette)
   for (const actor of actors) drawRunner(context, actor, palette)
   // What has arrows stands in front of the others.
   if (selected && picture.forces) drawRunner(context, selected, palette)

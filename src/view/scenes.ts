@@ -19,6 +19,10 @@ export interface SceneView {
   readonly falls: boolean
   /** A spring is drawn from the upper end of the slope to the block. */
   readonly spring?: true
+  /** The track climbs from its foot at small s: there its handle is, and its angle. */
+  readonly climbs?: true
+  /** The track is a belt that moves so fast [m/s]. */
+  speed?(parameters: Parameters): number
   /** The shortest part of the track that is shown [m]: a block that never moves still stands on something to drag. */
   least(parameters: Parameters): number
   /** Of a track that is not straight. */
@@ -71,6 +75,7 @@ const views: Readonly<Record<SceneId, SceneView>> = {
     ...slope,
     icon: 'M2 18L9 11Q16 4 23 11L30 18M4.6 12l4-4 3 3-4 4Z',
     forwards: 'over the hill',
+    climbs: true,
     bend: ({ crestRadius, angle }) => ({
       from: 0,
       to: (2 * crestRadius! * angle! * Math.PI) / 180,
@@ -83,6 +88,7 @@ const views: Readonly<Record<SceneId, SceneView>> = {
     icon: 'M2 3V13M2 8H5L7 4L9 12L11 4L13 8H16M16 4h8v8h-8ZM4 14H28A2 2 0 0 1 28 18H4A2 2 0 0 1 4 14',
     forwards: 'along the belt',
     spring: true,
+    speed: ({ beltSpeed }) => beltSpeed!,
     least: () => 0.05,
   },
 }

@@ -16,6 +16,11 @@ export interface Sizes {
   readonly force: number
 }
 
+/** How thick a belt is around its rollers: the dots of all lanes lie inside it [px]. */
+export function beltDepth({ depth }: Sizes['lanes']): number {
+  return depth + 24
+}
+
 /** How far the arrow's tip is from the block's middle at no speed, so that it can be pulled out. */
 export const ARROW_START = 42
 

@@ -5,7 +5,10 @@ import type { Body } from './body.ts'
 import { drawnEnds } from './ground.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
+import type { Picture } from './picture.ts'
 import type { Projection } from './projection.ts'
+import { viewOf } from './scenes.ts'
+import { beltDepth } from './sizes.ts'
 
 const TURNS = 14
 
@@ -13,6 +16,7 @@ const TURNS = 14
 export function drawSpring(
   context: CanvasRenderingContext2D,
   { spot }: Body,
+  { scene }: Picture,
   layout: Layout,
   projection: Projection,
   palette: Palette,
@@ -26,7 +30,9 @@ export function drawSpring(
   context.strokeStyle = palette.ink
   context.lineWidth = 3
   context.lineCap = 'round'
-  stroke(context, [anchor, moved(anchor, anchor.out, block)])
+  // Beside a belt it hangs on a post.
+  const foot = viewOf(scene).speed ? beltDepth(layout.lanes) : 0
+  stroke(context, [moved(anchor, anchor.out, -foot), moved(anchor, anchor.out, block)])
   context.lineWidth = 1.5
   context.strokeStyle = palette.inkSoft
   stroke(context, coil(hook, end, anchor.out, 0.22 * block))

@@ -1,4 +1,4 @@
-import { penOf } from '../chart/pen.ts'
+import { penOf, pixelRatio } from '../chart/pen.ts'
 import { forgetWidths } from '../chart/text.ts'
 import { Backdrop } from './backdrop.ts'
 import { dragged } from './drag.ts'
@@ -9,6 +9,7 @@ import { paint } from './paint.ts'
 import { PaletteReader } from './palette.ts'
 import type { Palette } from './palette.ts'
 import type { Handle, HandleId, Picture } from './picture.ts'
+import { viewOf } from './scenes.ts'
 import { isSameButTime, settingOf } from './setting.ts'
 import type { Setting } from './setting.ts'
 import { endOf, rowAt } from './timeline.ts'
@@ -35,14 +36,14 @@ export class Stage {
   }
 
   /**
-   * Draws at the canvas's CSS size and the window's pixel ratio. What only the time has changed is quick to draw, and what
+   * Draws at the canvas's CSS size and at the pixels that it covers. What only the time has changed is quick to draw, and what
    * it has not changed is not drawn.
    *
    * @param forces what draws the picture's forces, once it is loaded
    */
   draw(picture: Picture, forces?: ForceDrawing): void {
     const { frozen, made, shown } = this
-    const ratio = window.devicePixelRatio
+    const ratio = pixelRatio(this.canvas)
     const isKept = made?.frozen === frozen && made.ratio === ratio
     if (isKept && shown && isSameButTime(picture, shown.picture)) {
       const before = this.cacheKey
@@ -94,11 +95,11 @@ export class Stage {
 }
 
 /**
- * All that time changes in the blocks of a picture, as numbers: at two times with the same numbers they look the same.
+ * All that time changes in the blocks of a picture and in a belt, as numbers: at two times with the same numbers they look the same.
  * Forces are not among them.
  */
-function cacheKeyAt({ runners, exact, time }: Picture): number[] {
-  const numbers = [exact(time, { s: 0, v: 0 }).s]
+function cacheKeyAt({ scene, runners, exact, time }: Picture): number[] {
+  const numbers = [exact(time, { s: 0, v: 0 }).s, viewOf(scene).speed ? time : 0]
   for (const { trajectory, goal } of runners) {
     const row = rowAt(trajectory, time)
     const end = endOf(trajectory)

@@ -3,7 +3,7 @@ import { expect, inject, test } from 'vitest'
 import type { SlideFigureElement, SlideLabElement } from '../../src/elements.ts'
 import { simulate } from '../../src/physics/index.ts'
 import { violationsOn } from './axe.ts'
-import { builtElements } from './hosts.ts'
+import { builtElements, labMark } from './hosts.ts'
 import { openPage } from './page.ts'
 
 /* The elements in other people's pages, from the one file that such a page loads. */
@@ -21,7 +21,11 @@ const wild = `
 `
 
 /** A page that is not the lab's, with the elements' module at its head. */
-async function openHost(body: string, options: { colorScheme?: 'dark'; width?: number } = {}) {
+async function openHost(
+  body: string,
+  options: { colorScheme?: 'dark'; width?: number; beside?: boolean } = {},
+) {
+  const { beside = true } = options
   const opened = await openPage({ path: '404.html', ...options })
   const { page } = opened
   const host = new URL('blog/', inject('address')).href
@@ -32,6 +36,11 @@ async function openHost(body: string, options: { colorScheme?: 'dark'; width?: n
     route.request().url().endsWith('.js')
       ? route.fulfill({ contentType: 'text/javascript', body: module })
       : route.fulfill({ contentType: 'text/html', body: html }),
+  )
+  await page.route(`${host}lab.js`, (route) =>
+    beside
+      ? route.fulfill({ contentType: 'text/javascript', body: labMark.body })
+      : route.fulfill({ status: 404, body: 'Nothing here' }),
   )
   await page.goto(host)
   return opened
@@ -44,7 +53,9 @@ const spread = (page: Page) => lab(page).locator('.spread output').first().inner
 
 test('it is one file', () => {
   expect(files).toEqual(['slide-lab.js'])
-  expect(module).not.toMatch(/\bimport\s*\(|^import\b/m)
+  // All that it asks for is whether there is a lab.
+  expect(module.match(/\bimport\s*\(.*?\)/g)!.join()).toMatch(/^import\(`\$\{\w+\}lab\.js`\)$/)
+  expect(module).not.toMatch(/^import\b/m)
 })
 
 test.each([{}, { colorScheme: 'dark' as const }, { width: 390 }])(
@@ -241,6 +252,23 @@ test('the link to the lab leads to where the module is from', async () => {
   const { page } = await openHost('<slide-lab compact fps="20 40"></slide-lab>')
   const link = page.getByRole('link', { name: 'Open in the lab' })
   expect(await link.getAttribute('href')).toMatch(/\/blog\/index\.html#runners=20\/.*;40\//)
+})
+
+test('where there is no lab beside the file, no link leads there until the page says where', async () => {
+  const { page } = await openHost('<slide-lab compact></slide-lab>', { beside: false })
+  const link = page.getByRole('link', { name: 'Open in the lab' })
+  await page.locator('slide-lab [part=link]').waitFor()
+  await page.waitForLoadState('networkidle')
+  expect(await link.count()).toBe(0)
+  // As text, since Vitest would put an import of its own there.
+  const tell = (folder: string | null) =>
+    page.evaluate(
+      `import('./slide-lab.js').then(({ setSite }) => setSite(${JSON.stringify(folder)}))`,
+    )
+  await tell('https://example.org/lab/')
+  expect(await link.getAttribute('href')).toBe('https://example.org/lab/index.html')
+  await tell(null)
+  await expect.poll(() => link.count()).toBe(0)
 })
 
 test('what is added and removed leaves nothing behind', async () => {

@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest'
+import { expect, inject, test } from 'vitest'
 import { violationsOn } from './axe.ts'
 import { openPage } from './page.ts'
 
@@ -40,6 +40,42 @@ test('there is no script or style in the page itself, and the page around it sho
   expect(await page.evaluate(background)).toBe('rgba(0, 0, 0, 0)')
   expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(
     'rgba(0, 0, 0, 0)',
+  )
+})
+
+test.each([
+  [560, 315],
+  [480, 270],
+])('in a frame of %d × %d the transport is in view, and a picture', async (width, height) => {
+  const { page } = await openPage({ path: 'embed.html', width, height })
+  const play = (await page.getByRole('button', { name: 'Play' }).boundingBox())!
+  expect(play.y + play.height).toBeLessThanOrEqual(height)
+  const stage = (await page.locator('slide-stage').boundingBox())!
+  expect(stage.height).toBeGreaterThan(70)
+  expect(await page.evaluate(() => scrollY)).toBe(0)
+})
+
+test('where there are no scripts, a still and a link to the lab’s page', async () => {
+  const { page } = await openPage({ path: 'embed.html', javaScriptEnabled: false })
+  const still = (await page.getByRole('img', { name: /^Ramp/ }).boundingBox())!
+  expect(still.width).toBe(1280)
+  await page.getByRole('link').click()
+  await page.getByRole('heading', { level: 1, name: 'Same kick' }).waitFor()
+})
+
+test('its data can be taken from it, by hand where a frame may save no files', async () => {
+  const { page } = await openPage({ path: '404.html' })
+  await page.setContent(
+    `<iframe src="${inject('address')}embed.html" sandbox="allow-scripts" width="700" height="900"></iframe>`,
+  )
+  const frame = page.frameLocator('iframe')
+  await frame.getByRole('button', { name: 'Share' }).click()
+  await frame.getByRole('button', { name: 'Save data (CSV)' }).click()
+  const text = await frame.getByRole('textbox', { name: 'Text to copy' }).inputValue()
+  expect(text.split('\n')[0]).toContain('time (s)')
+  expect(text.split('\n').length).toBeGreaterThan(100)
+  expect(await frame.locator('slide-share-menu [role=status]').innerText()).toMatch(
+    /if this frame may save files/,
   )
 })
 

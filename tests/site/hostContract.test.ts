@@ -4,7 +4,7 @@ import type { LitElement } from 'lit'
 import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
 import type { Manifest } from '../elements/manifest.ts'
-import { builtElements, openAt, serve } from './hosts.ts'
+import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
 /* The manifest against the elements themselves: what it says is there, and there is nothing that it does not say. */
 
@@ -22,7 +22,11 @@ async function openHost(body: string) {
   const html = `<!doctype html><html lang="en"><title>Blog</title>
     <script type="module" src="slide-lab.js"></script>${body}</html>`
   const address = await serve((path) =>
-    path === 'slide-lab.js' ? { body: module, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path === 'slide-lab.js'
+        ? { body: module, type: 'text/javascript' }
+        : { body: html },
   )
   const opened = await openAt(address)
   await opened.page.waitForFunction(() => customElements.get('slide-figure') !== undefined)
@@ -62,7 +66,14 @@ test.each(tags)('attributes, properties and methods of %s', async (tag) => {
   expect(sorted(found.attributes)).toEqual(names(attributes))
   // What Lit calls, and what is the element's own affair.
   const inner = [
-    ...['constructor', 'connectedCallback', 'createRenderRoot', 'shouldUpdate', 'willUpdate'],
+    ...[
+      'constructor',
+      'connectedCallback',
+      'disconnectedCallback',
+      'createRenderRoot',
+      'shouldUpdate',
+      'willUpdate',
+    ],
     ...['update', 'updated', 'render', 'comeAlive', ...found.hidden],
   ]
   // What it has from its base, which has more that is nobody's business.

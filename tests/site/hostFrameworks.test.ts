@@ -5,7 +5,7 @@ import type { Page } from 'playwright-core'
 import { build } from 'vite'
 import { afterAll, beforeAll, describe, expect, test } from 'vitest'
 import type { SlideFigureElement, SlideLabElement } from '../../src/elements.ts'
-import { builtElements, openAt, serve } from './hosts.ts'
+import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
 /* The elements in pages that React and Vue make: what is set comes down, what happens comes up, and it ends. */
 
@@ -158,7 +158,11 @@ async function openApp(name: keyof typeof apps) {
   const html = `<!doctype html><html lang="en"><title>${name}</title><div id="app"></div>
     <script>window.start = ${JSON.stringify(start)}</script><script type="module" src="app.js"></script></html>`
   const address = await serve((path) =>
-    path === 'app.js' ? { body: code, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path === 'app.js'
+        ? { body: code, type: 'text/javascript' }
+        : { body: html },
   )
   const opened = await openAt(address)
   const { page } = opened
@@ -282,7 +286,11 @@ describe.each(['React', 'Vue'] as const)('%s', (name) => {
     const html = `<!doctype html><html lang="en"><title>${name}</title><div id="app">${markup}</div>
       <script type="module" src="app.js"></script></html>`
     const address = await serve((path) =>
-      path === 'app.js' ? { body: code, type: 'text/javascript' } : { body: html },
+      path === 'lab.js'
+        ? labMark
+        : path === 'app.js'
+          ? { body: code, type: 'text/javascript' }
+          : { body: html },
     )
     const { page, problems } = await openAt(address)
     const { shown, values } = reading(page)

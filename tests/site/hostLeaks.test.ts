@@ -1,6 +1,6 @@
 import { expect, test, vi } from 'vitest'
 import { samples } from '../samples.ts'
-import { builtElements, openAt, serve } from './hosts.ts'
+import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
 /* Elements that a page adds and removes, over and over. */
 
@@ -87,7 +87,11 @@ test('many that have come, played and gone leave no more behind than the first f
   const html = `<!doctype html><html lang="en"><title>Blog</title><script>${counting}</script>
     <div id="here"></div><script type="module" src="slide-lab.js"></script></html>`
   const address = await serve((path) =>
-    path === 'slide-lab.js' ? { body: module, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path === 'slide-lab.js'
+        ? { body: module, type: 'text/javascript' }
+        : { body: html },
   )
   const { page, problems } = await openAt(address)
   const session = await page.context().newCDPSession(page)

@@ -1,5 +1,5 @@
 import type { Page } from 'playwright-core'
-import { builtElements, openAt, serve } from './hosts.ts'
+import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
 /* A page of plain HTML that has the elements in it. */
 
@@ -12,7 +12,11 @@ export async function openHost(body: string, { head = '', root = '', ...options 
   const html = `<!doctype html><html lang="de" ${root}><head><meta charset="utf-8"><title>Blog</title>${head}</head>
     <body>${body}<script type="module" src="slide-lab.js"></script></body></html>`
   const address = await serve((path) =>
-    path.endsWith('.js') ? { body: module, type: 'text/javascript' } : { body: html },
+    path === 'lab.js'
+      ? labMark
+      : path.endsWith('.js')
+        ? { body: module, type: 'text/javascript' }
+        : { body: html },
   )
   return openAt(address, [], options)
 }

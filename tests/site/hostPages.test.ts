@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { expect, test } from 'vitest'
 import type { SlideFigureElement } from '../../src/elements.ts'
 import { figure, lab, openHost, spread } from './hostPage.ts'
-import { builtElements, openAt, serve } from './hosts.ts'
+import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
 /* The elements in pages of plain HTML: whatever those do, both go on as they were. */
 
@@ -73,6 +73,7 @@ test('what stands between the tags is there until the elements are, and captions
   const inside = (tag: string, more: string) =>
     `<${tag} ${more}><p>Instead of ${tag}</p><p slot="caption">Under ${tag}</p></${tag}>`
   const address = await serve(async (path) => {
+    if (path === 'lab.js') return labMark
     if (path !== 'slide-lab.js')
       return {
         body: `<!doctype html><title>Blog</title><script type="module" src="slide-lab.js"></script>
@@ -259,7 +260,7 @@ test('elements of the page with everyday names are left alone', async () => {
     { head: `<script>${theirs(names.slice(0, 3))}</script>` },
   )
   await page.locator('slide-lab').getByRole('button', { name: 'Share' }).click()
-  expect(await page.getByRole('button', { name: 'Copy link' }).isVisible()).toBe(true)
+  await page.getByRole('button', { name: 'Copy link' }).waitFor()
   await page.addScriptTag({ content: theirs(names.slice(3)) })
   for (const name of names) expect(await page.locator(`body > ${name}`).innerText()).toBe('theirs')
   expect(problems()).toEqual([])

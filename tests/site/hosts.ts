@@ -1,12 +1,25 @@
-import { readdirSync, readFileSync } from 'node:fs'
+import { execFileSync } from 'node:child_process'
+import {
+  copyFileSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
+import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import { inject, onTestFinished } from 'vitest'
 import { openPage } from './page.ts'
 
 /* Other people's pages: servers of their own, and what they load from the site. */
+
+const root = join(import.meta.dirname, '../..')
 
 /** The module of the elements as it was built for the tests, and the names of all files that this wrote. */
 export function builtElements(): { module: string; files: string[] } {
@@ -15,6 +28,50 @@ export function builtElements(): { module: string; files: string[] } {
     module: readFileSync(join(folder, 'slide-lab.js'), 'utf8'),
     files: readdirSync(folder),
   }
+}
+
+/**
+ * A page's script with the elements from the packed npm package, as Vite bundles it.
+ *
+ * @param code of the script, which imports `any-frame-rate/elements`
+ */
+export function bundlePackaged(code: string): string {
+  const folder = mkdtempSync(join(tmpdir(), 'any-frame-rate-packed-'))
+  const run = (command: string, args: readonly string[], cwd: string) =>
+    execFileSync(command, args, {
+      cwd,
+      env: { ...process.env, NODE_ENV: 'production' },
+      stdio: ['ignore', 'ignore', 'inherit'],
+    })
+  try {
+    const vite = join(root, 'node_modules/vite/bin/vite.js')
+    const out = join(folder, 'source/package')
+    const options = ['-c', 'vite.package.config.ts', '--outDir', out, '--logLevel', 'warn']
+    run(process.execPath, [vite, 'build', ...options], root)
+    for (const file of ['package.json', 'custom-elements.json'])
+      copyFileSync(join(root, file), join(folder, 'source', file))
+    run('npm', ['pack', '--ignore-scripts', '--pack-destination', folder], join(folder, 'source'))
+    const home = join(folder, 'node_modules/any-frame-rate')
+    mkdirSync(home, { recursive: true })
+    const tarball = readdirSync(folder).find((name) => name.endsWith('.tgz'))!
+    run('tar', ['-xzf', join(folder, tarball), '--strip-components=1', '-C', home], folder)
+    for (const name of ['lit', '@lit', 'lit-html', 'lit-element'])
+      symlinkSync(join(root, 'node_modules', name), join(folder, 'node_modules', name))
+    writeFileSync(join(folder, 'page.js'), code)
+    const output = { entryFileNames: '[name].js', codeSplitting: false }
+    const config = { base: './', build: { rolldownOptions: { input: 'page.js', output } } }
+    writeFileSync(join(folder, 'vite.config.js'), `export default ${JSON.stringify(config)}`)
+    run(process.execPath, [vite, 'build', '--logLevel', 'error'], folder)
+    return readFileSync(join(folder, 'dist/page.js'), 'utf8')
+  } finally {
+    rmSync(folder, { recursive: true, force: true })
+  }
+}
+
+/** By this the elements' file knows that a lab is served beside it. */
+export const labMark: Answer = {
+  body: readFileSync(join(root, 'public/lab.js')),
+  type: 'text/javascript',
 }
 
 /** What a server answers: HTML, or with a type and headers of its own. */

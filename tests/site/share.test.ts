@@ -52,7 +52,7 @@ test('a copied link opens what is shown, at once after a change', async () => {
 describe('embed code, pasted into a page of another origin, shows the figure running:', () => {
   const shown = 'scene=spring&angle=12&runners=15;60/rk4'
 
-  async function pasted(form: 'frame' | 'element', module = '') {
+  async function pasted(form: 'frame' | 'HTML' | 'Markdown, MDX', module = '') {
     const lab = await openSharing(shown)
     const { page } = lab
     const code = await copied(lab, `Copy embed code: ${form}`)
@@ -101,8 +101,8 @@ describe('embed code, pasted into a page of another origin, shows the figure run
     expect(problems()).toEqual([])
   })
 
-  test('element', async () => {
-    const { page, problems, expected } = await pasted('element', builtElements().module)
+  test.each(['HTML', 'Markdown, MDX'] as const)('%s', async (form) => {
+    const { page, problems, expected } = await pasted(form, builtElements().module)
     await page.locator('slide-lab [part=link]').waitFor()
     const shown = await page
       .locator('slide-lab')

@@ -97,7 +97,7 @@ test('the whole lab can be used with the keyboard alone', async () => {
   // The menu of sharing.
   await tabTo(page, 'Share')
   await pressed('Enter')
-  await tabTo(page, 'Copy embed code: element')
+  await tabTo(page, 'Copy embed code: HTML')
   await press('Escape')
   expect((await focus(page)).name).toBe('Share')
   expect(await page.getByRole('button', { name: 'Copy link' }).isVisible()).toBe(false)

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, expect, test } from 'vitest'
 import { mathml } from '../../src/tutorial/build/maths.ts'
-import { loadPage } from '../../src/tutorial/build/load.ts'
+import { tutorialArticle } from '../../src/tutorial/build/load.ts'
 import { markdown } from '../../src/tutorial/build/tutorial.ts'
 
 const root = join(import.meta.dirname, '../..')
@@ -88,7 +88,7 @@ test('every letter of the equations is in the font', () => {
     ),
   )
   expect(inFont.size).toBeGreaterThan(100)
-  const { article } = loadPage(root, ['lab', 'source', 'tutorial'])
+  const article = tutorialArticle(root, ['lab', 'source', 'tutorial'])
   const missing = [...article.matchAll(/<math[^]*?<\/math>/g)]
     .flatMap(([math]) => lettersOf(math))
     .filter((letter) => !inFont.has(letter.codePointAt(0)!))

@@ -2,14 +2,14 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
 import { figures } from '../../src/figures/index.ts'
-import { loadPage } from '../../src/tutorial/build/load.ts'
+import { tutorialArticle } from '../../src/tutorial/build/load.ts'
 
 const root = join(import.meta.dirname, '../..')
 const index = readFileSync(join(root, 'index.html'), 'utf8')
 const ids = [...index.matchAll(/\sid="([^"]+)"/g)].map((match) => match[1]!)
 
 // It throws with file and line for whatever in the text has to be mended.
-const { article } = loadPage(root, ids)
+const article = tutorialArticle(root, ids)
 
 test('the text shows every figure that there is', () => {
   const shown = [...article.matchAll(/<slide-figure name="([^"]+)"/g)].map((match) => match[1])
@@ -25,5 +25,5 @@ test('every section is in the contents, in the order of the files', () => {
 })
 
 test('the same text makes the same page, bit for bit', () => {
-  expect(loadPage(root, ids).article).toBe(article)
+  expect(tutorialArticle(root, ids)).toBe(article)
 })

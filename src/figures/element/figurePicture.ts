@@ -1,5 +1,5 @@
 import { html, LitElement } from 'lit'
-import { penOf } from '../../chart/pen.ts'
+import { measureScale, penOf } from '../../chart/pen.ts'
 import { forgetWidths } from '../../chart/text.ts'
 import { drawDisc } from '../../view/handles.ts'
 import { PaletteReader } from '../../view/palette.ts'
@@ -55,6 +55,7 @@ class FigurePicture extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback()
     const redraw = () => {
+      measureScale(this.canvas)
       forgetWidths()
       this.requestUpdate()
     }
@@ -69,10 +70,12 @@ class FigurePicture extends LitElement {
       redraw()
     })
     sizes.observe(this)
+    addEventListener('resize', redraw)
     const stopStyles = onRestyle(recolour)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       sizes.disconnect()
+      removeEventListener('resize', redraw)
       stopStyles()
       stopTime()
     }

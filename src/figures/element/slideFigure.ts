@@ -81,7 +81,8 @@ export class SlideFigure extends LitElement {
     }
     this.show(live.follow(figure, given, view.values))
     this.tellLater()
-    this.dispatchEvent(new CustomEvent('change', { detail: this.values, bubbles: true }))
+    const detail = this.values
+    this.dispatchEvent(new CustomEvent('change', { detail, bubbles: true, composed: true }))
   }
 
   override connectedCallback(): void {

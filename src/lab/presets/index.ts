@@ -5,6 +5,7 @@ import { figurePresets } from './figures.ts'
 import { hardPresets } from './hardCases.ts'
 import { preset } from './preset.ts'
 import type { Preset } from './preset.ts'
+import { situationPresets } from './situations.ts'
 
 const kick = (label: string, mode: ModeId, watch: string): Preset =>
   preset('A kick up a ramp', label, watch, () =>
@@ -39,7 +40,17 @@ const kicks: readonly Preset[] = [
     'located',
     'Three blocks in one outline: type any frame rate, and nothing moves.',
   ),
+  kick(
+    'To a tolerance',
+    'to-tolerance',
+    'On a straight nothing is gained over located stops; go to the half-pipe or the spring, and the blocks stay together there too.',
+  ),
 ]
 
 /** Every preset, in the order of the menu. */
-export const presets: readonly Preset[] = [...kicks, ...figurePresets, ...hardPresets]
+export const presets: readonly Preset[] = [
+  ...kicks,
+  ...situationPresets,
+  ...figurePresets,
+  ...hardPresets,
+]

@@ -1,4 +1,5 @@
-import type { Trajectory } from '../../physics/index.ts'
+import { triesOf } from '../../physics/index.ts'
+import type { Experiment, Trajectory, Tries } from '../../physics/index.ts'
 
 /** What a run did with time, a value for each of its rows. */
 export interface Clockwork {
@@ -6,11 +7,16 @@ export interface Clockwork {
   readonly time: Float64Array
   /** Under `fixed`, the length of its steps [s]; else undefined. */
   readonly step: number | undefined
+  /** Under `tolerance`, the steps that were tried; undefined where they are too many to be seen, and else. */
+  readonly tries: Tries | undefined
   /** Under `fixed`, what is left of the frame time for later steps: time − stateTime − lost [s]. Else zeros. */
   readonly accumulator: Float64Array
   /** Time that the policy has dropped by then [s]. */
   readonly lost: Float64Array
 }
+
+/** With more steps than this a run is not repeated for them. */
+const MOST_STEPS = 20_000
 
 const kept = new WeakMap<Trajectory, Clockwork>()
 
@@ -21,6 +27,8 @@ export function clockworkOf(trajectory: Trajectory): Clockwork {
   const { experiment, time, stateTime, lostTime, frames } = trajectory
   const { timestep } = experiment
   const step = timestep.kind === 'fixed' ? timestep.step : undefined
+  const isTried = timestep.kind === 'tolerance' && trajectory.steps <= MOST_STEPS
+  const tries = isTried ? triesOf(experiment as Experiment) : undefined
   const lost = new Float64Array(frames + 1)
   const accumulator = new Float64Array(frames + 1)
   for (let row = 1; row <= frames; row++) {
@@ -36,9 +44,28 @@ export function clockworkOf(trajectory: Trajectory): Clockwork {
     accumulator[frames] = 0
     lost[frames] = lostTime
   }
-  const clockwork = { time, step, accumulator, lost }
+  const clockwork = { time, step, tries, accumulator, lost }
   kept.set(trajectory, clockwork)
   return clockwork
+}
+
+/** Whether the steps of a run have times of their own, which are not those of its frames. */
+export function hasOwnSteps({ experiment }: Trajectory): boolean {
+  const { kind } = experiment.timestep
+  return kind === 'fixed' || kind === 'tolerance'
+}
+
+/** When the steps that were tried end, those that were kept or those that were taken back [s]. */
+export function* triedTimes(
+  { begins, lengths, accepted }: Tries,
+  kept: boolean,
+): Generator<number> {
+  for (let i = 0; i < begins.length; i++) {
+    if (accepted[i] !== kept) continue
+    // What is kept are two halves.
+    if (kept) yield begins[i]! + 0.5 * lengths[i]!
+    yield begins[i]! + lengths[i]!
+  }
 }
 
 /** When the steps of a run under `fixed` end, on the wall clock [s], in the frames of the rows `first` to `last`. */

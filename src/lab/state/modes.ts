@@ -77,6 +77,17 @@ export const modes = [
       stopping: 'located',
     },
   },
+  {
+    id: 'to-tolerance',
+    label: 'To tolerance',
+    about:
+      'Takes as many steps in each frame as an error of a micrometre a second asks for: each step is also taken in two halves, and where these end elsewhere it is taken back and made shorter. Wherever the motion allows it, all frame rates agree.',
+    method: {
+      timestep: { kind: 'tolerance', tolerance: 1e-6 },
+      integrator: 'rk4',
+      stopping: 'located',
+    },
+  },
 ] as const satisfies readonly Mode[]
 
 export type ModeId = (typeof modes)[number]['id']

@@ -9,6 +9,9 @@ const openings: { readonly [id in SceneId]?: { duration: number; parameters: Par
   'run-out': { duration: 5, parameters: {} },
   'half-pipe': { duration: 6, parameters: { position: 2.8 } },
   spring: { duration: 4, parameters: { position: 1.5 } },
+  // Just fast enough to take off where the top begins, at most frame rates.
+  crest: { duration: 1.5, parameters: { speed: 6.9 } },
+  belt: { duration: 5, parameters: { stiffness: 20, muStatic: 0.6, muKinetic: 0.2 } },
 }
 
 const runners: readonly RunnerState[] = [10, 30, 120].map((fps, paletteIndex) => ({

@@ -28,6 +28,13 @@ export interface SpreadText {
 export function spreadText(spread: Spread, lengthText: (length: number) => string): SpreadText {
   const { outcomes, agree, distance, earliest, latest, scale } = spread
   const exact = false
+  if (spread.abandoned)
+    return {
+      value: 'tolerance not met',
+      remark: '',
+      exact,
+      title: 'Some run found no step short enough for its tolerance',
+    }
   if (!agree) {
     const remark = outcomes.map((kind) => words[kind]).join(', ')
     return {

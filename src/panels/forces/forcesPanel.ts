@@ -53,8 +53,12 @@ function legend(lab: LabView, looked: Looked | undefined) {
   if (!looked) return html`<p>The selected runner is hidden.</p>`
   const { forces, runner } = looked
   if (!forces) {
-    const { kind } = runner.trajectory.outcome
-    const why = kind === 'diverged' ? 'The run has blown up' : 'The block has left the track'
+    const { outcome, abandoned } = runner.trajectory
+    const why = abandoned
+      ? 'The run could not keep to its tolerance'
+      : outcome.kind === 'diverged'
+        ? 'The run has blown up'
+        : 'The block has left the track'
     return html`<p>${why}: no forces are computed any more.</p>`
   }
   return html`<div class="forces-body">
@@ -140,11 +144,12 @@ export function frictionText(
   const size = newtons(length(friction))
   if (vectors.frictionKind === 'held') {
     const most = muStatic * length(normal)
-    return `Static friction holds it: ${size} of at most ${newtons(most)}.`
+    const does = 'beltSpeed' in parameters ? 'carries it along' : 'holds it'
+    return `Static friction ${does}: ${size} of at most ${newtons(most)}.`
   }
   if (vectors.frictionKind === 'none')
     return muStatic + muKinetic > 0
-      ? 'No friction at v = 0: the naive rule knows only the friction of sliding.'
+      ? `No friction at v = ${'beltSpeed' in parameters ? 'u' : '0'}: the naive rule knows only the friction of sliding.`
       : 'No friction: μ is 0.'
   const product = `μk N = ${plain(muKinetic)} × ${newtons(length(normal))}`
   const rule =

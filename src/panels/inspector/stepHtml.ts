@@ -72,7 +72,7 @@ function triesHtml(tries: readonly TriedStep[]) {
 
 /** Each evaluation of the forces: where it is made, and its result. */
 function evaluationsHtml({ evaluations, reused, slip }: TriedStep, experiment: ResolvedExperiment) {
-  const { muKinetic } = experiment.parameters
+  const { muKinetic, beltSpeed = 0 } = experiment.parameters
   const hasFriction = (muKinetic ?? 0) > 0
   const direction = hasFriction
     ? `, slip direction ${slip === 0 ? 'by the sign of each v' : slip < 0 ? '−1' : '+1'}`
@@ -94,7 +94,7 @@ function evaluationsHtml({ evaluations, reused, slip }: TriedStep, experiment: R
               unit: 'm/s²',
             })
       }
-      ${evaluations.map((each, i) => lineHtml(evaluationLine(each, ordinal(first + i), slip, hasFriction ? muKinetic : 0)))}
+      ${evaluations.map((each, i) => lineHtml(evaluationLine(each, ordinal(first + i), slip || Math.sign(each.v - beltSpeed), hasFriction ? muKinetic : 0)))}
     </div>`
 }
 
@@ -105,10 +105,9 @@ function evaluationLine(
   mu = 0,
 ) {
   const where = say`at s = ${s} m, v = ${v} m/s: `
-  const direction = slip === 0 ? Math.sign(v) : slip
   return {
     formula: mu > 0 ? `a${index} = drive − slip μk press` : `a${index} = drive`,
-    numbers: mu > 0 ? say`${drive} − (${direction}) × ${mu} × ${press}` : say`${drive}`,
+    numbers: mu > 0 ? say`${drive} − (${slip}) × ${mu} × ${press}` : say`${drive}`,
     result: a,
     unit: 'm/s²',
     where,

@@ -1,16 +1,19 @@
 import { html, LitElement, nothing } from 'lit'
-import { traceFrame } from '../../physics/index.ts'
-import type { Experiment, PolicyStep } from '../../physics/index.ts'
+import { integrators, traceFrame } from '../../physics/index.ts'
+import type { Experiment, Integrator, PolicyStep, ResolvedExperiment } from '../../physics/index.ts'
 import { endOf, rowAt } from '../../view/timeline.ts'
 import { icon } from '../../ui/icons.ts'
 import type { IconName } from '../../ui/icons.ts'
 import '../../ui/runnerMark.ts'
+import { segments } from '../../ui/segments.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { saidHtml, say } from './said.ts'
 import { stepHtml } from './stepHtml.ts'
 import { frameLength, policyWords } from './stepWords.ts'
+import { partName, triesIn, tryWords } from './tries.ts'
+import type { Try } from './tries.ts'
 
 /** While it plays, so much time passes before the next frame is written out [ms]: replaying a run takes time. */
 const PAUSE = 250
@@ -105,7 +108,7 @@ class StepInspector extends LitElement {
       ${
         end && end.row !== row
           ? html`<button type="button" class="there" @click=${() => seek(end.row)}>
-              ${{ 'at-rest': 'Where it stopped', 'left-the-track': 'Where it left', diverged: 'Where it blew up' }[end.kind]}
+              ${{ 'at-rest': 'Where it stopped', 'left-the-track': 'Where it left', diverged: runner.trajectory.abandoned ? 'Where it gave up' : 'Where it blew up' }[end.kind]}
             </button>`
           : nothing
       }
@@ -137,15 +140,20 @@ class StepInspector extends LitElement {
         )}
       </p>`
     }
-    const event = steps.findIndex(hasEvent)
+    const event = steps.findIndex((step) => !step.takenBack && hasEvent(step))
     const at = this.chosen ?? Math.max(0, event)
     const go = (to: number) => {
       this.chosen = to
     }
+    const tries = triesIn(steps)
+    const which =
+      tries.length > 0
+        ? this.tries(tries, at, go, experiment)
+        : stepper({ what: 'step', from: 0, to: steps.length - 1, at, go })
     return html`
       ${
         steps.length > 1
-          ? html`${stepper({ what: 'step', from: 0, to: steps.length - 1, at, go })}
+          ? html`${which}
             ${
               event >= 0 && event !== at
                 ? html`<button type="button" class="there" @click=${() => go(event)}>
@@ -157,6 +165,29 @@ class StepInspector extends LitElement {
       }
       <div class="step">${stepHtml(steps[at]!, experiment)}</div>
     `
+  }
+
+  /** The try that a step belongs to, what came of it, and the steps that it took. */
+  private tries(
+    tries: readonly Try[],
+    at: number,
+    go: (to: number) => void,
+    { integrator }: ResolvedExperiment,
+  ) {
+    const index = tries.filter(({ first }) => first <= at).length - 1
+    const shown = tries[index]!
+    const { order, orderWithSpeed }: Integrator = integrators.find(({ id }) => id === integrator)!
+    const said = tryWords(shown, tries[index + 1], Math.min(order, orderWithSpeed))
+    const seek = (to: number) => go(tries[to]!.first)
+    const parts = shown.steps.map((_, i) => ({ id: String(i), label: partName(shown, i) }))
+    return html`${stepper({ what: 'try', from: 0, to: tries.length - 1, at: index, go: seek })}
+      <p class="tried">${said.map((each) => html`${saidHtml(each)} `)}</p>
+      ${segments({
+        label: 'Steps of the try',
+        list: parts,
+        chosen: String(at - shown.first),
+        pick: ({ id }) => go(shown.first + Number(id)),
+      })}`
   }
 }
 

@@ -7,6 +7,7 @@ import type {
 } from '../../physics/index.ts'
 import { count, say } from './said.ts'
 import type { Said } from './said.ts'
+import { triesIn } from './tries.ts'
 
 /** How long the frame lasts that ends at a row [s]. */
 export function frameLength({ time }: Trajectory, row: number): number {
@@ -23,6 +24,7 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
   const { experiment, outcome } = run
   const { timestep } = experiment
   const lasts = frameLength(run, row)
+  if (timestep.kind === 'tolerance') return toleranceWords(timestep.tolerance, steps)
   const ends = outcome.kind !== 'moving' && outcome.kind !== 'at-rest' && row === run.frames
   if (ends && steps.length > 0)
     return say`${count(steps.length, 'step')} of ${steps[0]!.dt} s, until the run ended.`
@@ -42,11 +44,18 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
       const parts = count(Math.round(lasts / length), 'equal part')
       return say`${lasts} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`
     }
-    case 'tolerance':
-      return say`As many steps as an error of ${timestep.tolerance} m in each second allows, each tried whole and in two halves.`
     case 'fixed':
       return fixedWords(run, row, timestep.step)
   }
+}
+
+/** How many steps the frame took of those that were tried. */
+function toleranceWords(tolerance: number, steps: readonly PolicyStep[]): Said {
+  const tries = triesIn(steps)
+  const refused = tries.filter(({ attempt }) => !attempt.accepted).length
+  const kept = tries.length - refused
+  const taken = refused === 0 ? '' : `, ${refused === 1 ? 'one is' : `${refused} are`} taken back`
+  return say`An error of ${tolerance} m is allowed in each second: ${kept === 1 ? '1 try is' : `${kept} tries are`} kept${taken}.`
 }
 
 /** The accumulator holds the time by which the wall clock is ahead, without the whole steps that were dropped. */
@@ -79,7 +88,9 @@ interface Accumulator {
 export function wordsBefore(step: PolicyStep, experiment: ResolvedExperiment): Said[] {
   const [standing] = step.standings
   if (standing?.begins !== 0) return []
-  return [say`The block is at rest: ${decision(step, standing, experiment)}`]
+  const { beltSpeed = 0 } = experiment.parameters
+  const how = beltSpeed === 0 ? 'is at rest' : 'has the belt’s speed'
+  return [say`The block ${how}: ${decision(step, standing, experiment)}`]
 }
 
 /** What the stopping rule did at the end of a stretch, a sentence each. */
@@ -138,11 +149,13 @@ export function wordsAfter(
 
 /** Static friction holds up to μs times the normal force. */
 function decision(step: PolicyStep, standing: Standing, { parameters }: ResolvedExperiment): Said {
-  const { muStatic = 0 } = parameters
+  const { muStatic = 0, beltSpeed = 0 } = parameters
   const drive = Math.abs(standing.drive)
   const most = muStatic * standing.press
   const isLast = standing === step.standings[step.standings.length - 1]
-  return isLast && step.outcome === 'at-rest'
-    ? say`it stays, because |drive| ${drive} ≤ μs press ${most} m/s².`
-    : say`it sets off, because |drive| ${drive} > μs press ${most} m/s².`
+  // On a belt a block that is held goes on, until the spring is stronger.
+  const isHeld = beltSpeed === 0 ? isLast && step.outcome === 'at-rest' : drive <= most
+  if (!isHeld) return say`it sets off, because |drive| ${drive} > μs press ${most} m/s².`
+  const does = beltSpeed === 0 ? 'stays' : 'rides along'
+  return say`it ${does}, because |drive| ${drive} ≤ μs press ${most} m/s².`
 }

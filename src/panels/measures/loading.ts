@@ -46,6 +46,7 @@ export function loadByAddress({ experiment }: Measured): void {
   const start = openingOf(scene)
   const runners = [{ ...start.runners[0]!, ...own }]
   const state = { ...start, parameters, duration, runners }
+  const home = site()
   if (isAtHome()) location.hash = writeAddress(state)
-  else open(linkTo('index.html', site(), state), '_blank', 'noopener')
+  else if (home !== null) open(linkTo('index.html', home, state), '_blank', 'noopener')
 }

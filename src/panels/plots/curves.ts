@@ -1,7 +1,6 @@
 import { errorAxis, linearAxis } from '../../chart/axis.ts'
 import type { Axis } from '../../chart/axis.ts'
 import { samplesOf } from '../../view/samples.ts'
-import type { Samples } from '../../view/samples.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
 import type { PlotKind, PlotQuantity } from './kinds.ts'
 import { thinColumns, thinPath } from './thin.ts'
@@ -38,7 +37,7 @@ export function drawingOf(
   width: number,
   height: number,
 ): Drawing {
-  const { exact, visible, runners, state } = simulated
+  const { visible, runners } = simulated
   const { over, of } = kind
   const across = over ? axisOf(over, simulated) : timeAxis(simulated)
   const up = axisOf(of, simulated)
@@ -60,7 +59,7 @@ export function drawingOf(
       time: rows.map((row) => trajectory.time[row]!),
     }
   })
-  if (of.ofExact) curves.push(trueCurve(kind, samplesOf(exact, state.duration), thinned))
+  if (of.ofExact) curves.push(trueCurve(kind, simulated, thinned))
   return { across, up, curves, stepped: !over }
 }
 
@@ -68,10 +67,11 @@ export function drawingOf(
 type Thinned = (x: Float64Array, y: Float64Array) => number[]
 
 /** The true motion. What was not followed swing by swing shows how far it goes, over time, and nothing else. */
-function trueCurve({ over, of }: PlotKind, samples: Samples, thinned: Thinned): Curve {
+function trueCurve({ over, of }: PlotKind, simulated: Simulated, thinned: Thinned): Curve {
+  const samples = samplesOf(simulated.exact, simulated.state.duration)
   const time = over ? samples.time.subarray(0, samples.followed + 1) : samples.time
   const values = ({ ofExact }: PlotQuantity) =>
-    time.map((_, row) => ofExact!({ s: samples.s[row]!, v: samples.v[row]! }))
+    time.map((_, row) => ofExact!({ s: samples.s[row]!, v: samples.v[row]! }, simulated))
   const x = over ? values(over) : time
   const y = values(of)
   const rows = thinned(x, y)
@@ -102,10 +102,11 @@ function linear(quantity: PlotQuantity, simulated: Simulated): Axis {
   let to = -Infinity
   const { s, v } = samplesOf(exact, state.duration)
   for (let row = 0; row < s.length; row++) {
-    const value = quantity.ofExact!({ s: s[row]!, v: v[row]! })
+    const value = quantity.ofExact!({ s: s[row]!, v: v[row]! }, simulated)
     from = Math.min(from, value)
     to = Math.max(to, value)
   }
+  if (quantity.fromZero) from = Math.min(0, from)
   const reach = Math.max(quantity.unit === 'J' ? liveliest(simulated) : to - from, quantity.least)
   const [low, high] = [from - reach, to + reach]
   for (const { trajectory } of visible) {

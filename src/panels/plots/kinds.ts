@@ -1,4 +1,5 @@
-import type { State, Trajectory } from '../../physics/index.ts'
+import { scenes } from '../../physics/index.ts'
+import type { Parameters, Scene, State, Trajectory } from '../../physics/index.ts'
 import {
   energyResidual,
   presentationErrors,
@@ -17,7 +18,7 @@ export interface PlotQuantity {
   /** One number for each row of a trajectory. */
   values(trajectory: Trajectory): Float64Array
   /** The true motion's, where that has one to draw. */
-  ofExact?(state: Readonly<State>): number
+  ofExact?(state: Readonly<State>, simulated: Simulated): number
   /** As people read it, with its unit. */
   text(value: number): string
   /** The least stretch that an axis shows: below it, a constant would look like a mountain range. */
@@ -25,6 +26,8 @@ export interface PlotQuantity {
   /** It should be 0; what is rounding is given as 0. */
   readonly residual?: true
   readonly logarithmic?: true
+  /** Its axis begins at 0. */
+  readonly fromZero?: true
 }
 
 const thin = '\u202f'
@@ -82,6 +85,28 @@ const energy: PlotQuantity = {
   residual: true,
 }
 
+/** What the track pushes the block with, per mass [m/s²]: 0 where the block takes off. */
+const press: PlotQuantity = {
+  label: 'press',
+  unit: 'm/s²',
+  values: remembered(({ experiment, s, v }) => {
+    const scene: Scene = scenes.find(({ id }) => id === experiment.scene)!
+    return s.map((place, row) => pressAt(scene, experiment.parameters, { s: place, v: v[row]! }))
+  }),
+  ofExact: (state, { scene, state: { parameters } }) => pressAt(scene, parameters, state),
+  text: (value) => `${value < 1000 ? fixed(value, 2) : plain(value)}${thin}m/s²`,
+  least: 1,
+  fromZero: true,
+}
+
+/** At a joint the block presses on what lies ahead of it. */
+const AHEAD = 1e-9
+
+function pressAt(scene: Scene, parameters: Parameters, { s, v }: Readonly<State>): number {
+  const { slope, curvature } = scene.place(parameters, s + AHEAD * Math.sign(v))
+  return Math.max(0, parameters.gravity! * Math.cos(slope) + curvature * v * v)
+}
+
 /** The values of a run are worked out once, however often it is drawn. */
 function remembered(values: (trajectory: Trajectory) => Float64Array): PlotQuantity['values'] {
   const kept = new WeakMap<Trajectory, Float64Array>()
@@ -101,6 +126,8 @@ export interface PlotKind {
   /** Undefined: over time. */
   readonly over?: PlotQuantity
   readonly of: PlotQuantity
+  /** Not where nothing slides on a track. */
+  readonly onTrack?: true
 }
 
 /** Every plot of the lab, in the order in which they stand. */
@@ -128,8 +155,32 @@ export const plotKinds: readonly PlotKind[] = [
   {
     id: 'energy',
     title: 'Energy residual',
-    caption: () =>
-      'kinetic + potential + heat of friction and drag − what there was at the start; 0 is right',
+    caption: energyCaption,
     of: energy,
   },
+  {
+    id: 'press',
+    title: 'Press over position',
+    caption: () => 'the normal force for each kilogram; 0 where a block takes off',
+    over: position,
+    of: press,
+    onTrack: true,
+  },
 ]
+
+/** Those that say something of a scene. */
+export function plotsOf({ scene }: Pick<Simulated, 'scene'>): readonly PlotKind[] {
+  return plotKinds.filter(({ onTrack }) => !(onTrack && viewOf(scene).falls))
+}
+
+/** What the balance counts, by what there is in the scene. */
+function energyCaption({ state: { parameters } }: Simulated): string {
+  const heats = ['muKinetic' in parameters && 'friction', 'drag' in parameters && 'drag'].filter(
+    Boolean,
+  )
+  return [
+    `kinetic + potential${'stiffness' in parameters ? ', the spring’s too,' : ''} + heat of ${heats.join(' and ')}`,
+    ...('beltSpeed' in parameters ? ['− work of the belt'] : []),
+    '− what there was at the start; 0 is right',
+  ].join(' ')
+}

@@ -4,7 +4,7 @@ import { segments } from '../../ui/segments.ts'
 import '../../ui/runnerMark.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import type { Simulated } from '../../lab/state/simulation.ts'
-import { plotKinds } from './kinds.ts'
+import { plotKinds, plotsOf } from './kinds.ts'
 import './labPlot.ts'
 
 /**
@@ -46,7 +46,9 @@ class LabPlots extends LitElement {
   }
 
   override render() {
-    const { simulated, hover, chosen } = this
+    const { simulated, hover } = this
+    const kinds = plotsOf(simulated)
+    const { id: chosen } = kinds.find(({ id }) => id === this.chosen) ?? kinds[0]!
     const time = hover ?? this.time
     return html`<section class="plots">
       <header>
@@ -69,12 +71,12 @@ class LabPlots extends LitElement {
       </header>
       ${segments({
         label: 'Which plot',
-        list: plotKinds.map(({ id, title }) => ({ id, label: title })),
+        list: kinds.map(({ id, title }) => ({ id, label: title })),
         chosen,
         pick: ({ id }) => (this.chosen = id),
       })}
       <div class="multiples">
-        ${plotKinds.map(
+        ${kinds.map(
           (kind) =>
             html`<slide-lab-plot
               ?data-chosen=${kind.id === chosen}

@@ -31,8 +31,8 @@ export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): 
   })
   if (!of.ofExact) return readings
   const state = exact(time, { s: 0, v: 0 })
-  const x = over ? over.ofExact!(state) : time
-  return [...readings, reading(kind, 'exact', EXACT, x, of.ofExact(state), time)]
+  const x = over ? over.ofExact!(state, simulated) : time
+  return [...readings, reading(kind, 'exact', EXACT, x, of.ofExact(state, simulated), time)]
 }
 
 /** The readings in a sentence. */

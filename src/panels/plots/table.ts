@@ -45,7 +45,7 @@ export function tableOf({ over, of }: PlotKind, simulated: Simulated): PlotTable
       })
       const truth = exact(time, { s: 0, v: 0 })
       const last = quantities.flatMap((quantity) =>
-        quantity.ofExact ? [cell(quantity, quantity.ofExact(truth), time)] : [],
+        quantity.ofExact ? [cell(quantity, quantity.ofExact(truth, simulated), time)] : [],
       )
       return { time: fixed(time, decimals), cells: [...cells, ...last] }
     }),

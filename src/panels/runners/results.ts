@@ -41,5 +41,6 @@ export function endText(trajectory: Trajectory): { text: string; title: string }
   const way = Math.abs(drawnS[frames]! - experiment.parameters.position!)
   const title = `t = ${raw(time)} s, ${raw(way)} m from the start`
   if (kind === 'at-rest') return { text: `${seconds(time)} · ${place(way)}`, title }
-  return { text: `${words[kind]} ${seconds(time)}`, title }
+  const what = trajectory.abandoned ? 'tolerance not met' : words[kind]
+  return { text: `${what} ${seconds(time)}`, title }
 }

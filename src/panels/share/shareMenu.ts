@@ -1,9 +1,9 @@
 import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { isPublic, site } from '../../lab/site.ts'
+import { isPublic, onSiteChange, site } from '../../lab/site.ts'
 import { linkTo } from '../../lab/state/address.ts'
-import { toCsv, elementCode, fileName, frameCode, toJson } from './texts.ts'
+import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.
@@ -24,6 +24,7 @@ class ShareMenu extends LitElement {
   declare private status: string
   /** What the reader has to copy, since the browser would not. */
   declare private byHand: string
+  private stopAskingSite = () => {}
   private readonly panelId = freshId('share')
 
   constructor() {
@@ -31,6 +32,7 @@ class ShareMenu extends LitElement {
     this.close()
     this.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || !this.open) return
+      event.preventDefault()
       this.close()
       this.querySelector('button')!.focus()
     })
@@ -47,8 +49,14 @@ class ShareMenu extends LitElement {
     return this
   }
 
+  override connectedCallback(): void {
+    super.connectedCallback()
+    this.stopAskingSite = onSiteChange(() => this.requestUpdate())
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback()
+    this.stopAskingSite()
     document.removeEventListener('pointerdown', this.elsewhere)
   }
 
@@ -63,9 +71,7 @@ class ShareMenu extends LitElement {
         Share
       </button>
       <div class="panel" id=${this.panelId} ?hidden=${!this.open}>
-        ${this.item('Copy link', () => this.copy(linkTo('', site(), this.state)))}
-        ${this.item('Copy embed code: frame', () => this.embed(frameCode))}
-        ${this.item('Copy embed code: element', () => this.embed(elementCode))}
+        ${this.open ? this.links() : nothing}
         ${this.item('Copy as JSON', () => this.copy(toJson(this.state)))}
         ${this.item('Save picture (PNG)', this.savePicture)}
         ${this.item('Save data (CSV)', this.saveData)}
@@ -81,6 +87,16 @@ class ShareMenu extends LitElement {
         }
         <p role="status">${this.status}</p>
       </div>`
+  }
+
+  /** What leads to the lab’s own pages, where there are any. */
+  private links() {
+    const home = site()
+    if (home === null) return nothing
+    return html`${this.item('Copy link', () => this.copy(linkTo('', home, this.state)))}
+    ${this.item('Copy embed code: HTML', () => this.embed(elementCode, home))}
+    ${this.item('Copy embed code: Markdown, MDX', () => this.embed(markdownCode, home))}
+    ${this.item('Copy embed code: frame', () => this.embed(frameCode, home))}`
   }
 
   private item(label: string, act: () => unknown) {
@@ -108,8 +124,8 @@ class ShareMenu extends LitElement {
     if (!event.composedPath().includes(this)) this.close()
   }
 
-  private embed(code: typeof frameCode): void {
-    if (isPublic()) return void this.copy(code(site(), this.state))
+  private embed(code: typeof frameCode, home: string): void {
+    if (isPublic()) return void this.copy(code(home, this.state))
     this.byHand = ''
     this.status = 'This page is a file on your computer. One on the web has code to embed it.'
   }
@@ -131,7 +147,12 @@ class ShareMenu extends LitElement {
   private readonly savePicture = async (): Promise<void> => {
     const canvas = this.closest('.sheet')!.querySelector<HTMLCanvasElement>('slide-stage canvas')
     try {
-      this.saved(await pictureOf(canvas!), 'png')
+      const name = fileName(this.state, 'png')
+      save(await pictureOf(canvas!), name)
+      this.byHand = ''
+      this.status = isFramed
+        ? `Saved as ${name}, if this frame may save files.`
+        : `Saved as ${name}`
     } catch (error) {
       this.status = (error as Error).message
     }
@@ -139,16 +160,18 @@ class ShareMenu extends LitElement {
 
   private readonly saveData = (): void => {
     const { runners, exact } = this.lab.simulated
-    this.saved(new Blob([toCsv(runners, exact)], { type: 'text/csv;charset=utf-8' }), 'csv')
-  }
-
-  private saved(content: Blob, ending: string): void {
-    const name = fileName(this.state, ending)
-    save(content, name)
-    this.byHand = ''
-    this.status = `Saved as ${name}`
+    const name = fileName(this.state, 'csv')
+    const text = toCsv(runners, exact)
+    save(new Blob([text], { type: 'text/csv;charset=utf-8' }), name)
+    this.byHand = isFramed ? text : ''
+    this.status = isFramed
+      ? `Saved as ${name}, if this frame may save files. Otherwise copy the text.`
+      : `Saved as ${name}`
   }
 }
+
+/** A page in a frame can’t know whether it may save files: the sandbox refuses without a word to it. */
+const isFramed = typeof window === 'object' && window.parent !== window
 
 /** Hands a file to the reader, as a download. */
 function save(content: Blob, name: string): void {

@@ -19,7 +19,7 @@ export function frameCode(site: string, state: LabState): string {
     width: '100%',
     height: '640',
     loading: 'lazy',
-    sandbox: 'allow-scripts allow-popups allow-popups-to-escape-sandbox',
+    sandbox: 'allow-scripts allow-downloads allow-popups allow-popups-to-escape-sandbox',
     // Not by a style attribute, which a careful page forbids.
     frameborder: '0',
   }
@@ -28,12 +28,26 @@ export function frameCode(site: string, state: LabState): string {
   return `<iframe ${text.join(' ')}></iframe>\n<script src="${script}" async></script>`
 }
 
-/** HTML for other people's pages that shows a state as a part of the page itself. */
+/**
+ * HTML for other people's pages that shows a state as a part of the page itself. Markdown leaves it as it is: a block that
+ * begins with `<div>` is HTML as far as the next blank line. React runs a script only if it is `async`.
+ */
 export function elementCode(site: string, state: LabState): string {
+  return ['<div>', ...elementLines(site, state), '</div>'].join('\n')
+}
+
+/** The same in one line, which also stays whole in a list, in a quotation, and in MDX, where lines become paragraphs. */
+export function markdownCode(site: string, state: LabState): string {
+  return `<div>${elementLines(site, state).join('')}</div>`
+}
+
+function elementLines(site: string, state: LabState): string[] {
   const script = escaped(new URL('slide-lab.js', site).href)
   const experiment = escaped(JSON.stringify(experimentsOf(state).map(brief)))
-  return `<script type="module" src="${script}"></script>
-<slide-lab compact experiment='${experiment.replaceAll('&quot;', '"')}'></slide-lab>`
+  return [
+    `<script type="module" src="${script}" async></script>`,
+    `<slide-lab compact experiment='${experiment.replaceAll('&quot;', '"')}'></slide-lab>`,
+  ]
 }
 
 /** What the runners run, as JSON: a list of experiments, or the experiment if there is but one. */

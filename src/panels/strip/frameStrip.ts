@@ -5,7 +5,7 @@ import { onThemeChange } from '../../ui/theme.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
-import { clockworkOf } from '../../lab/state/clockwork.ts'
+import { hasOwnSteps } from '../../lab/state/clockwork.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { drawPlayhead, drawLane } from './stripDrawing.ts'
 import { StripTiles } from './stripTiles.ts'
@@ -19,8 +19,8 @@ const ENLARGED = 12
 
 /**
  * A lane for each runner on the time axis of the slider above it: a tick at every frame, under `fixed` the physics steps
- * and what the accumulator holds, time that was lost hatched. Where frames are too dense to be seen, the time around
- * the cursor follows enlarged.
+ * and what the accumulator holds, under `tolerance` the steps and fainter those that were taken back, time that was lost
+ * hatched. Where frames are too dense to be seen, the time around the cursor follows enlarged.
  *
  * - `runners`: those that are visible
  * - `duration`: the length of the axis [s]
@@ -241,7 +241,7 @@ function layOutLanes(runners: readonly SimulatedRunner[], noted: boolean) {
   let height = 0
   const boxes = runners.map((runner): LaneLayout => {
     const top = height
-    const stepping = clockworkOf(runner.trajectory).step !== undefined
+    const stepping = hasOwnSteps(runner.trajectory)
     const frames = stepping ? 10 : plain
     const steps = stepping ? 13 : 0
     const note = top + frames + steps

@@ -1,7 +1,7 @@
 import type { Trajectory } from '../../physics/index.ts'
 import { cleared } from '../../chart/pen.ts'
 import { rowAt } from '../../view/timeline.ts'
-import { clockworkOf, stepTimes } from '../../lab/state/clockwork.ts'
+import { clockworkOf, hasOwnSteps, stepTimes, triedTimes } from '../../lab/state/clockwork.ts'
 
 /** A stretch of time on a canvas [s], all else in its own pixels. */
 export interface StripAxis {
@@ -37,7 +37,7 @@ export function drawLane(
   const pixel = Math.max(1, Math.round(ratio))
   const scale = (width - ratio) / (to - from)
   const place = (time: number) => Math.round((time - from) * scale)
-  const { time, step, lost, accumulator } = clockworkOf(trajectory)
+  const { time, step, tries, lost, accumulator } = clockworkOf(trajectory)
   const first = rowAt(trajectory, from)
   const last = Math.min(time.length - 1, rowAt(trajectory, to) + 1)
   const { top, tick } = lane
@@ -58,16 +58,25 @@ export function drawLane(
   // Where frames are denser than pixels, each column counts once.
   for (const x of once(time.subarray(first, last + 1), place)) pen.fillRect(x, top, pixel, tick)
 
-  if (step === undefined) return
+  if (!hasOwnSteps(trajectory)) return
   const stepTick = Math.round(0.4 * lane.steps)
   const stepTop = Math.round(top + tick + 2 * ratio)
   const bottom = stepTop + lane.steps
-  if (step * scale < 2 * pixel) {
+  const ticks = (times: Iterable<number>, y: number) => {
+    for (const x of once(times, place))
+      if (x >= 0 && x <= width) pen.fillRect(x, y, pixel, stepTick)
+  }
+  if (step === undefined ? !tries : step * scale < 2 * pixel) {
     const end = place(trajectory.stateTime[last]! + lost[last]!)
     pen.fillRect(place(from), stepTop, end - place(from), stepTick)
-  } else
-    for (const x of once(stepTimes(trajectory, first, last), place))
-      pen.fillRect(x, stepTop, pixel, stepTick)
+  } else if (tries) {
+    ticks(triedTimes(tries, true), stepTop)
+    // Under those that were kept, those that were taken back.
+    pen.globalAlpha = 0.4
+    ticks(triedTimes(tries, false), bottom - stepTick)
+    pen.globalAlpha = 1
+  } else ticks(stepTimes(trajectory, first, last), stepTop)
+  if (step === undefined) return
   pen.globalAlpha = 0.55
   for (let row = first; row <= last; row++) {
     const height = Math.round((accumulator[row]! / step) * (lane.steps - stepTick))

@@ -1,3 +1,4 @@
+import type { Tries } from '../../physics/index.ts'
 import { fixed, seconds } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
@@ -18,7 +19,7 @@ export function noteOf({ name, trajectory }: SimulatedRunner, now: number): stri
 /** The same as its ticks, in words. */
 export function stripText(runner: SimulatedRunner, now: number): string {
   const { name, trajectory } = runner
-  const { step, accumulator } = clockworkOf(trajectory)
+  const { step, tries, accumulator } = clockworkOf(trajectory)
   const parts = [`${trajectory.frames} frames`]
   if (step !== undefined) {
     const held = accumulator[rowAt(trajectory, now)]!
@@ -27,7 +28,20 @@ export function stripText(runner: SimulatedRunner, now: number): string {
       `${seconds(held)} in the accumulator`,
     )
   }
+  if (tries) parts.push(...triedText(trajectory.steps, tries))
   const note = noteOf(runner, now).slice(name.length + 2)
   if (note) parts.push(note)
   return `${name}: ${parts.join(', ')}.`
+}
+
+/** “84 physics steps of 0.9 to 21 ms”, “3 tries taken back”. */
+function triedText(steps: number, { lengths, accepted }: Tries): string[] {
+  const kept = lengths.filter((_, i) => accepted[i]).map((length) => 0.5 * length)
+  if (kept.length === 0) return []
+  const [shortest, longest] = [Math.min(...kept), Math.max(...kept)]
+  const refused = lengths.length - kept.length
+  return [
+    `${steps} physics steps of ${seconds(shortest)} to ${seconds(longest)}`,
+    refused === 1 ? '1 try taken back' : `${refused} tries taken back`,
+  ]
 }

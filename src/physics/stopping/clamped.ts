@@ -10,13 +10,15 @@ export const clamped = {
   holdsSlip: true,
   step: (motion, integrator) => {
     // #region step
-    const { slip, startS } = motion
+    const { slip, startS, dt } = motion
+    const { belt, muStatic } = motion.law
     integrator.step(motion)
-    const reversed = slip > 0 ? motion.v < 0 : motion.v > 0
-    if (reversed && motion.law.muStatic > 0) {
+    const reversed = slip > 0 ? motion.v < belt : motion.v > belt
+    if (reversed && muStatic > 0) {
       motion.stop()
-      // Friction brings a block to a stop; it does not push it back beyond where the step began.
-      motion.s = slip > 0 ? Math.max(motion.s, startS) : Math.min(motion.s, startS)
+      // Friction brings a block to a stop; it does not push it back beyond where the track was as the step began.
+      const start = startS + belt * dt
+      motion.s = slip > 0 ? Math.max(motion.s, start) : Math.min(motion.s, start)
     }
     // #endregion
   },

@@ -8,7 +8,7 @@ const tolerance = {
   unit: 'm/s',
   min: 1e-12,
   max: 1e-3,
-  slider: { from: 1e-12, to: 1e-3, step: 1e-12 },
+  slider: { from: 1e-12, to: 1e-3, step: 1 / 3, scale: 'logarithmic' },
   initial: 1e-6,
 } as const satisfies NumberOption
 

@@ -19,20 +19,15 @@ const [loaded, highlight] = await Promise.all([
   highlighter(),
 ])
 
-/** What the page gets from here, as HTML. */
-export interface Page {
-  readonly article: string
-  /** The lab as it opens. */
-  readonly lab: string
-}
+export { labStill }
 
 /**
- * The tutorial from the project's files.
+ * The tutorial from the project's files, as HTML.
  *
  * @param pageIds the ids that the page has besides
  * @throws TextError that lists everything in the text that has to be mended
  */
-export function loadPage(root: string, pageIds: readonly string[]): Page {
+export function tutorialArticle(root: string, pageIds: readonly string[]): string {
   const materials: Materials = {
     texts: filesIn(root, 'src/tutorial/text', ['.md']),
     facts,
@@ -46,7 +41,7 @@ export function loadPage(root: string, pageIds: readonly string[]): Page {
   }
   const { html, problems } = tutorialHtml(materials, highlight)
   if (problems.length > 0) throw new TextError(problems)
-  return { article: html, lab: labStill() }
+  return html
 }
 
 function infoOf(figure: Figure): FigureInfo {

@@ -3,12 +3,12 @@ import { runnerImport } from 'vite'
 import type { Plugin } from 'vite'
 import type * as Load from './load.ts'
 
-/** What stands in index.html in place of the tutorial, and of the lab's still. */
+/** What stands in pages in place of the tutorial, and of the lab's still. */
 const TUTORIAL = '<!-- tutorial -->'
 const LAB = '<!-- lab -->'
 
-/** The styles that single elements of the text have. */
-const STYLES = '/tutorial-styles.css'
+/** The folder of the styles that single elements of a page's text have: one for each page. */
+const STYLES = '/tutorial-styles/'
 
 /**
  * Puts the tutorial into the page: the text of src/tutorial/text, its numbers, its figures’ stills. In development a
@@ -18,16 +18,16 @@ export function tutorial(): Plugin {
   let root = ''
   /** What the page was made of last. */
   let sources = new Set<string>()
-  let styles = ''
+  const styles = new Map<string, string>()
   return {
     name: 'tutorial',
     configResolved: (config) => void (root = config.root),
     resolveId: (id) => (id.startsWith(STYLES) ? id : null),
-    load: (id) => (id.startsWith(STYLES) ? styles : null),
+    load: (id) => (id.startsWith(STYLES) ? (styles.get(id.replace(/\?.*/, '')) ?? '') : null),
     transformIndexHtml: {
       order: 'pre',
-      handler: async (html, { server }) => {
-        if (!html.includes(TUTORIAL)) return html
+      handler: async (html, { server, path }) => {
+        if (!html.includes(TUTORIAL) && !html.includes(LAB)) return html
         const { module, dependencies } = await runnerImport<typeof Load>(
           resolve(root, 'src/tutorial/build/load.ts'),
           { root, configFile: false, logLevel: 'silent' },
@@ -36,11 +36,13 @@ export function tutorial(): Plugin {
         sources = new Set(dependencies.map((path) => resolve(root, path)))
         server?.watcher.add([texts, ...sources])
         const ids = [...html.matchAll(/\sid="([^"]+)"/g)].map((match) => match[1]!)
-        const { article, lab } = module.loadPage(root, ids)
-        const filled = html.replace(TUTORIAL, () => article).replace(LAB, () => lab)
+        const filled = html
+          .replace(TUTORIAL, () => module.tutorialArticle(root, ids))
+          .replace(LAB, () => module.labStill())
         const page = styleClasses(filled)
-        styles = page.css
-        const link = `<link rel="stylesheet" href="${STYLES}" />`
+        const address = path.replace(/^.*\/(.*)\.html$/, `${STYLES}$1.css`)
+        styles.set(address, page.css)
+        const link = `<link rel="stylesheet" href="${address}" />`
         return page.html.replace('</head>', `${link}</head>`)
       },
     },

@@ -50,7 +50,7 @@ test('a scene keeps the runners', () => {
 test('one runner that goes its own way ends the mode', () => {
   for (const { id } of modes) {
     const state = changed(opening, { kind: 'mode', mode: id })
-    const other = changed(state, { kind: 'runner', index: 1, values: { integrator: 'rk4' } })
+    const other = changed(state, { kind: 'runner', index: 1, values: { integrator: 'midpoint' } })
     expect(modeOf(other)).toBeUndefined()
   }
 })

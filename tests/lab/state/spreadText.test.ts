@@ -6,7 +6,15 @@ import { spreadText } from '../../../src/lab/state/spreadText.ts'
 
 const plain = (text: string) => text.replaceAll('\u202f', ' ')
 const spread = (values: Partial<Spread>): Spread => ({
-  ...{ outcomes: ['moving'], agree: true, distance: 0, earliest: NaN, latest: NaN, scale: 1 },
+  ...{
+    outcomes: ['moving'],
+    agree: true,
+    abandoned: false,
+    distance: 0,
+    earliest: NaN,
+    latest: NaN,
+    scale: 1,
+  },
   ...values,
 })
 const left = { outcomes: ['left-the-track'] } as const

@@ -1,10 +1,17 @@
+import MarkdownIt from 'markdown-it'
 import { expect, test } from 'vitest'
 import { parseExperiment } from '../../../src/physics/index.ts'
 import { readAddress, linkTo } from '../../../src/lab/state/address.ts'
 import { experimentOf } from '../../../src/lab/state/check.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { presets } from '../../../src/lab/presets/index.ts'
-import { elementCode, fileName, frameCode, toJson } from '../../../src/panels/share/texts.ts'
+import {
+  elementCode,
+  fileName,
+  frameCode,
+  markdownCode,
+  toJson,
+} from '../../../src/panels/share/texts.ts'
 import { changed } from '../../../src/lab/state/change.ts'
 
 const site = 'https://any.example/lab/index.html?from=here'
@@ -34,8 +41,11 @@ test('the code for a frame is a sandboxed frame with a name, and the script that
 })
 
 test('the code for an element says what is run, and no more than it must', () => {
-  const [script, element] = elementCode(site, steep).split('\n')
-  expect(script).toBe('<script type="module" src="https://any.example/lab/slide-lab.js"></script>')
+  const [start, script, element, end] = elementCode(site, steep).split('\n')
+  expect([start, end]).toEqual(['<div>', '</div>'])
+  expect(script).toBe(
+    '<script type="module" src="https://any.example/lab/slide-lab.js" async></script>',
+  )
   expect(element).toMatch(
     /^<slide-lab compact experiment='\[\{"scene":"ramp","parameters":\{"angle":40/,
   )
@@ -47,6 +57,19 @@ test('the code for an element says what is run, and no more than it must', () =>
       state.runners.map((runner) => parseExperiment(experimentOf(state, runner))),
     )
   }
+})
+
+test.each([elementCode, markdownCode])('Markdown leaves the code as it is: %o', (code) => {
+  const markdown = new MarkdownIt({ html: true, typographer: true, linkify: true })
+  for (const { shown } of presets) {
+    const text = code(site, shown.state)
+    expect(markdown.render(`Look:\n\n${text}\n\nSo it goes.`)).toBe(
+      `<p>Look:</p>\n${text}\n<p>So it goes.</p>\n`,
+    )
+  }
+  // In a list, too.
+  const text = markdownCode(site, steep)
+  expect(markdown.render(`- ${text}\n- more`)).toContain(text)
 })
 
 test('JSON is a list of experiments that are read back, or the one there is', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest'
 import { simulate } from '../../../src/physics/index.ts'
 import type { Experiment, Timestep } from '../../../src/physics/index.ts'
-import { clockworkOf, stepTimes } from '../../../src/lab/state/clockwork.ts'
+import { clockworkOf, stepTimes, triedTimes } from '../../../src/lab/state/clockwork.ts'
 import { noteOf, stripText } from '../../../src/panels/strip/stripWords.ts'
 import type { SimulatedRunner } from '../../../src/lab/state/simulation.ts'
 
@@ -126,5 +126,38 @@ describe('in words', () => {
     const fixed = runner({ kind: 'fixed', step: 0.1 }, { kind: 'steady', fps: 40 })
     expect(stripText(fixed, 0.15)).toContain('50\u202fms in the accumulator')
     expect(stripText(fixed, 0.2)).toContain('0.00\u202fs in the accumulator')
+  })
+})
+
+describe('under a tolerance', () => {
+  const trajectory = run({ kind: 'tolerance', tolerance: 1e-6 }, { kind: 'steady', fps: 10 })
+  const { tries } = clockworkOf(trajectory)
+
+  test('the steps that were kept fill the run from its start to its end, one after the other', () => {
+    const kept = [...triedTimes(tries!, true)]
+    expect(kept).toHaveLength(trajectory.steps)
+    expect([...kept].sort((a, b) => a - b)).toEqual(kept)
+    expect(kept.at(-1)).toBeCloseTo(3, 12)
+    for (const frame of trajectory.time.slice(1))
+      expect(kept.some((time) => Math.abs(time - frame) < 1e-12)).toBe(true)
+  })
+
+  test('its words tell how long they are and what was taken back', () => {
+    const refused = [...triedTimes(tries!, false)].length
+    const text = stripText({ name: '10 fps', trajectory } as SimulatedRunner, 0)
+    expect(text).toMatch(
+      new RegExp(`${trajectory.steps} physics steps of .* to .*, ${refused} tr(y|ies) taken back`),
+    )
+  })
+
+  test('a run of too many steps is not repeated for them', () => {
+    const dense = { kind: 'tolerance', tolerance: 1e-4 } as const
+    const euler = run(
+      dense,
+      { kind: 'steady', fps: 30 },
+      { integrator: 'explicit-euler', duration: 1 },
+    )
+    expect(euler.steps).toBeGreaterThan(20_000)
+    expect(clockworkOf(euler).tries).toBeUndefined()
   })
 })

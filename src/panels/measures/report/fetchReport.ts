@@ -8,8 +8,10 @@ import { site } from '../../../lab/site.ts'
  */
 export async function fetchReport(): Promise<Report> {
   let answer: Response
+  const home = site()
+  if (home === null) throw new Error('The report is on the lab’s own page, which is not here.')
   try {
-    answer = await fetch(new URL('report/report.json', site()))
+    answer = await fetch(new URL('report/report.json', home))
   } catch {
     throw new Error(
       'The report can’t be reached: there is no network, or the page was opened from a file.',
