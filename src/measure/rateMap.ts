@@ -48,7 +48,7 @@ export type CellKind = (typeof cellKinds)[number]
 /** What a spread is taken against: most players' frame rate [fps]. */
 export const REFERENCE_RATE = 60
 
-/** The first look at a map takes every so manieth row and column. */
+/** The first look at a map takes one row and one column in this many. */
 export const COARSE = 8
 
 /** The frame rate at the middle of a column, to three digits, as a reader would type it [fps]. */

@@ -51,18 +51,18 @@ export function energyErrorOfStep(run: Trajectory, row: number, dt: number): num
 /** Bounds of a scene's law: of the forces per mass, of what they gain with s and with v², and of the rate of change. */
 export function lawOf(scene: SceneId, parameters: ResolvedExperiment['parameters']) {
   const { gravity = 0, mass = 1, drag = 0, muKinetic = 0, radius, bendRadius } = parameters
-  const rubs = 1 + muKinetic
+  const frictionFactor = 1 + muKinetic
   const stiffness = (parameters.stiffness ?? 0) / mass
   const curvature = scene === 'half-pipe' ? 1 / radius! : bendRadius ? 1 / bendRadius : 0
   const k = drag / mass
   return {
-    weight: rubs * gravity,
+    weight: frictionFactor * gravity,
     stiffness,
-    perSquare: rubs * curvature + k,
+    perSquare: frictionFactor * curvature + k,
     rate: (speed: number) =>
       Math.sqrt(stiffness) +
-      Math.sqrt(gravity * rubs * curvature) +
+      Math.sqrt(gravity * frictionFactor * curvature) +
       Math.sqrt(gravity * k) +
-      (rubs * curvature + 2 * k) * speed,
+      (frictionFactor * curvature + 2 * k) * speed,
   }
 }

@@ -1,4 +1,4 @@
-/** Steps at the edge of a case: that begin where they end, that turn where nothing rubs, that leave by the other side. */
+/** Steps at the edge of a case: that begin where they end, that turn without friction, that leave by the other side. */
 import { describe, expect, it } from 'vitest'
 import { simulate, traceFrame } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'

@@ -107,7 +107,7 @@ describe('the force vectors', () => {
     expect(forcesAt(limit, { s: 0.5 + 1e-15, v: 0 }).frictionKind).toBe('sliding')
   })
 
-  it('are none of friction where nothing rubs, at rest or sliding', () => {
+  it('have no friction where its coefficients are 0, at rest or sliding', () => {
     const ice: Experiment = { scene: 'ramp', parameters: { angle: 0, muStatic: 0, muKinetic: 0 } }
     for (const v of [0, 1, -1]) {
       const { frictionKind, friction } = forcesAt(ice, { s: 0, v })

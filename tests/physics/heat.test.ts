@@ -110,7 +110,7 @@ describe('with drag', () => {
   })
 })
 
-it('no heat is made where nothing rubs and no air is', () => {
+it('no heat is made without friction and without air', () => {
   for (const scene of ['fall', 'half-pipe'] as const)
     expect(simulate({ scene, integrator: 'rk4' }).heat.every((heat) => heat === 0)).toBe(true)
 })

@@ -58,7 +58,7 @@ describe('the trace of a frame', () => {
             for (const tried of tries) {
               expect(tried.from).toEqual(at)
               expect(tried.dt).toBeLessThanOrEqual(dt - start)
-              // Where nothing rubs, a block may turn without its slip direction.
+              // Without friction, a block may turn without its slip direction.
               if (experiment.stopping === 'naive') expect(tried.slip).toBe(0)
               else if (at.v !== beltSpeed && muKinetic > 0)
                 expect(tried.slip).toBe(Math.sign(at.v - beltSpeed))

@@ -16,8 +16,8 @@ export function textOf(said: Said): string {
 }
 
 /** “1 step”, “6 steps”. */
-export function count(number: number, what: string): string {
-  return `${number} ${what}${number === 1 ? '' : 's'}`
+export function count(number: number, what: string, several = `${what}s`): string {
+  return `${number} ${number === 1 ? what : several}`
 }
 
 /** What was said, on the page: each number rounded, with all of its digits where it is pointed at. */

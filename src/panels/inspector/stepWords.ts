@@ -105,7 +105,7 @@ export function wordsAfter(
   if (experiment.stopping === 'located') {
     const ends = stretch.begins + kept.dt
     const tries = stretch.tries.length
-    const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${count(tries, 'try').replace('trys', 'tries')}` : ''}`
+    const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${count(tries, 'try', 'tries')}` : ''}`
     if (stretch.ends === 'stop') {
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing
