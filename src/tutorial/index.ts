@@ -1,6 +1,7 @@
 import { copyButton, reachable } from './page/code.ts'
 import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
+import { openWhatIsSought } from './page/folds.ts'
 import { followLinks, highlight } from './page/figures.ts'
 import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
 import { tabs } from './page/tabs.ts'
@@ -21,4 +22,5 @@ all('.code').forEach(copyButton)
 all('.take-home').forEach(tabs)
 reachable(all(':is(pre, .equation, .table)'))
 lightOnPaper()
+for (const text of all('.text')) openWhatIsSought(text)
 layOutInTurn(all('.text > section'))

@@ -42,9 +42,9 @@ export function labRunners(
     const isTimed = !apart && sweepRates.includes(rate)
     const why = whyNot(trajectory, shared) || (timed && !isTimed ? 'its time is not taken' : '')
     if (why) return { name, paletteIndex, why, point: undefined }
-    const curve = timed?.find((each) => each.method === method)
+    const curve = timed?.find((each) => each.method === method && each.by === 'rate')
     const cost = timed
-      ? (curve?.points.find((point) => point.rate === rate)?.cost ?? NaN)
+      ? (curve?.points.find((point) => point.setting === rate)?.cost ?? NaN)
       : evaluationsPerSecond(trajectory)
     const largest = errors.get(trajectory) ?? presentationErrorSizes(trajectory).largest
     errors.set(trajectory, largest)
@@ -52,7 +52,17 @@ export function labRunners(
     const { kind: outcome } = trajectory.outcome
     const whole = (outcome === 'moving' || outcome === 'at-rest') && Number.isFinite(error)
     const runner = { name, paletteIndex, apart }
-    return { name, paletteIndex, why, point: { method, rate, cost, error, outcome, whole, runner } }
+    const point = {
+      method,
+      by: 'rate',
+      setting: rate,
+      cost,
+      error,
+      outcome,
+      whole,
+      runner,
+    } as const
+    return { name, paletteIndex, why, point }
   })
 }
 

@@ -7,7 +7,7 @@ import {
   outcomeKinds,
   withoutRounding,
 } from '../../measure/index.ts'
-import type { SweepCurve } from '../../measure/index.ts'
+import type { Settings, SweepCurve } from '../../measure/index.ts'
 import { count, fixed, plain, seconds } from '../../chart/numbers.ts'
 
 /** What a simulated second costs. */
@@ -46,8 +46,9 @@ export const costKinds: readonly CostKind[] = [
 /** One run of a diagram: what it cost, and the error that this bought. */
 export interface DiagramPoint {
   readonly method: IntegratorId
-  /** Steps a second. */
-  readonly rate: number
+  readonly by: Settings['by']
+  /** Steps a second, or the tolerance [m/s]. */
+  readonly setting: number
   /** For a simulated second. */
   readonly cost: number
   /** The largest of the run, 0 where it is rounding [m]. */
@@ -71,11 +72,12 @@ export interface DiagramRunner {
 /** What one method did. */
 export interface DiagramCurve {
   readonly method: IntegratorId
+  readonly by: Settings['by']
   readonly label: string
   /** Place in the palette and the list of marks. */
   readonly paletteIndex: number
   readonly points: readonly DiagramPoint[]
-  /** What was found of its order, in a word or two. */
+  /** What was found of its order, in a word or two; nothing of a curve by tolerance. */
   readonly order: string
   readonly exact: boolean
   /** The length of the path, against which rounding is measured [m]. */
@@ -85,32 +87,30 @@ export interface DiagramCurve {
 /** The curves of a diagram, from the sweep's numbers and what each point costs. */
 export function diagramCurves(
   curves: readonly SweepCurve[],
-  rates: readonly number[],
   costs: (curve: SweepCurve) => Float64Array | undefined,
 ): DiagramCurve[] {
   return curves.flatMap((curve) => {
     const { label, colour }: Integrator = integrators.find(({ id }) => id === curve.method)!
     const cost = costs(curve)
     if (!cost) return []
-    const points = rates.map((rate, i) => ({
-      method: curve.method,
-      rate,
+    const { method, by, scale } = curve
+    const points = curve.settings.map((setting, i) => ({
+      ...{ method, by, setting },
       cost: cost[i]!,
       error: withoutRounding(curve.errors[i]!, curve.scale),
       outcome: outcomeKinds[curve.outcomes[i]!]!,
       whole: counts(curve, i),
     }))
-    const order = orderText(curve, rates)
-    const { method, scale } = curve
+    const order = by === 'rate' ? orderText(curve) : ''
     const exact = isExact(curve)
-    return [{ method, label, paletteIndex: colour, points, order, exact, scale }]
+    return [{ method, by, label, paletteIndex: colour, points, order, exact, scale }]
   })
 }
 
-function orderText(curve: SweepCurve, rates: readonly number[]): string {
+function orderText(curve: SweepCurve): string {
   if (isExact(curve)) return 'exact to rounding'
-  const order = orderOfCurve(curve, rates)
+  const order = orderOfCurve(curve)
   if (Number.isFinite(order)) return `order ${fixed(order, 1)}`
-  const whole = rates.some((_, i) => counts(curve, i))
+  const whole = curve.settings.some((_, i) => counts(curve, i))
   return whole ? 'order not to be seen' : 'no run to its end'
 }
