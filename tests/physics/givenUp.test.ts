@@ -37,4 +37,21 @@ describe('a run is given up', () => {
       limited.evaluations = evaluations
     }
   })
+
+  it('unless it has just ended by itself', () => {
+    const limited = limits as { evaluations: number }
+    const { evaluations } = limited
+    const experiment: Experiment = {
+      ...{ scene: 'half-pipe', parameters: { position: 0, speed: 8 }, duration: 1 },
+      ...{ integrator: 'velocity-verlet', timestep: { kind: 'tolerance', tolerance: 1e-9 } },
+    }
+    const whole = simulate(experiment)
+    expect(whole.outcome.kind).toBe('left-the-track')
+    limited.evaluations = whole.evaluations - 1
+    try {
+      expect(simulate(experiment).outcome).toEqual(whole.outcome)
+    } finally {
+      limited.evaluations = evaluations
+    }
+  })
 })

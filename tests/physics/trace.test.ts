@@ -157,6 +157,18 @@ describe('the trace of a frame', () => {
     expect(all).toContain(undefined)
   })
 
+  it('shows where a block takes off, and where a step was halved that no air could brake so', () => {
+    const ends = (experiment: Experiment) =>
+      traceFrame(experiment, 1).flatMap(({ stretches }) => stretches.map((each) => each.ends))
+    const frames = { kind: 'steady', fps: 2 } as const
+    const parameters = { angle: 20, crestRadius: 3, position: 1.1, speed: 5.3 }
+    expect(ends({ scene: 'crest', parameters, frames })).toEqual(['take-off'])
+    const dive = { drag: 1, speed: 100 }
+    expect(
+      ends({ scene: 'fall', parameters: dive, integrator: 'explicit-euler', frames }),
+    ).toContain('halved')
+  })
+
   it('shows each try of a step to a tolerance, what was taken back, and why', () => {
     const pipe: Experiment = {
       ...{ scene: 'half-pipe', integrator: 'rk4', frames: { kind: 'steady', fps: 2 }, duration: 1 },
