@@ -14,6 +14,7 @@ import { halfPipeEnergy } from './halfPipeEnergy.ts'
 import { springLimit } from './springLimit.ts'
 import { flungOut } from './flungOut.ts'
 import { speedAgainstError } from './speedAgainstError.ts'
+import { stepToTolerance } from './stepToTolerance.ts'
 import { paperStep } from './paperStep.ts'
 import { breakIt } from './breakIt.ts'
 import type { Figure } from './shared/figure.ts'
@@ -36,6 +37,7 @@ export const all: readonly Figure[] = [
   springLimit,
   flungOut,
   speedAgainstError,
+  stepToTolerance,
   paperStep,
   breakIt,
 ]

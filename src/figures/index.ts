@@ -24,6 +24,7 @@ export const figures: readonly FigureEntry[] = [
   'spring-limit',
   'flung-out',
   'speed-against-error',
+  'step-to-tolerance',
   'paper-step',
   'break-it',
 ].map((id) => ({

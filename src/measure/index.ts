@@ -31,17 +31,20 @@ export { stabilityLimit, staysBounded } from './stability.ts'
 export { stableRate } from './stability.ts'
 export {
   counts,
+  curvesOf,
   isExact,
   orderOfCurve,
   outcomeKinds,
   sweep,
   sweepMethods,
   sweepRates,
+  sweepTolerances,
   sweptExperiment,
   timedSweep,
   TIMED_ROUNDS,
+  tolerantExperiment,
 } from './sweep.ts'
-export type { SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
+export type { Settings, SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
 export { evaluationsPerSecond, nanosecondsPerSecond, tickOf } from './work.ts'
 export type { Clock } from './work.ts'
 export { withParameters } from './withParameters.ts'

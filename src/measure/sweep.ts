@@ -1,23 +1,32 @@
 import { integrators, parseExperiment, simulate } from '../physics/index.ts'
-import type { Experiment, IntegratorId, Outcome } from '../physics/index.ts'
+import type { Experiment, Integrator, IntegratorId, Outcome } from '../physics/index.ts'
 import { presentationErrorSizes } from './error.ts'
 import { fittedOrder } from './order.ts'
 import { scaleOf, withoutRounding } from './rounding.ts'
 import { evaluationsPerSecond, nanosecondsPerSecond, tickOf } from './work.ts'
 import type { Clock } from './work.ts'
 
-/** What is swept: methods × step lengths, everything else as in the experiment. */
+/** What is swept: methods × step lengths and tolerances, everything else as in the experiment. */
 export interface SweepRequest {
   /** Its integrator, timestep and frames say nothing: the sweep's do. */
   readonly experiment: Experiment
   readonly methods: readonly IntegratorId[]
   /** Steps a second. */
   readonly rates: readonly number[]
+  /** Errors allowed in each second of motion, from large to small [m/s]. */
+  readonly tolerances: readonly number[]
 }
 
-/** What a method did, a number for each rate of the sweep. */
-export interface SweepCurve {
+/** The points of one curve: a method, in steps of some lengths or to some tolerances. */
+export interface Settings {
   readonly method: IntegratorId
+  readonly by: 'rate' | 'tolerance'
+  /** Steps a second, or tolerances [m/s]. */
+  readonly settings: readonly number[]
+}
+
+/** What a method did, a number for each of its settings. */
+export interface SweepCurve extends Settings {
   /** The largest error of the run [m]. */
   readonly errors: Float64Array
   /** The root mean square of its errors [m], which orders are fitted to. */
@@ -30,9 +39,8 @@ export interface SweepCurve {
   readonly scale: number
 }
 
-/** How long a simulated second takes with a method, numbers for each rate [ns]. */
-export interface TimedCurve {
-  readonly method: IntegratorId
+/** How long a simulated second takes with a method, numbers for each of its settings [ns]. */
+export interface TimedCurve extends Settings {
   /** The least of the rounds so far: what the work takes undisturbed. */
   readonly nanoseconds: Float64Array
   /** The most of them. */
@@ -50,6 +58,18 @@ export const outcomeKinds: readonly Outcome['kind'][] = [
 export const sweepRates: readonly number[] = [
   ...[5, 7.5, 10, 15, 20, 30, 45, 60, 90, 120, 180, 240, 360, 480, 720, 960],
 ]
+
+/** From a millimetre a second to a tenth of a nanometre, a power of ten each. */
+export const sweepTolerances: readonly number[] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
+
+/**
+ * Frames for the runs to tolerance: as long as the longest step of the sweep, since a step is no longer than its frame
+ * [fps].
+ */
+const TOLERANT_FPS = 5
+
+/** Tolerances for which a method of order p takes some 1/this steps a second are the smallest that it is asked for [s]. */
+const SHORTEST = 1e-4
 
 /** All methods there are. */
 export const sweepMethods: readonly IntegratorId[] = integrators.map(({ id }) => id)
@@ -73,32 +93,61 @@ export function sweptExperiment(
   return { ...experiment, integrator, timestep: { kind: 'variable' }, frames }
 }
 
+/** The run behind a point of a curve by tolerance. */
+export function tolerantExperiment(
+  { experiment }: Pick<SweepRequest, 'experiment'>,
+  integrator: IntegratorId,
+  tolerance: number,
+): Experiment {
+  const frames = { kind: 'steady', fps: TOLERANT_FPS } as const
+  return { ...experiment, integrator, timestep: { kind: 'tolerance', tolerance }, frames }
+}
+
+function experimentAt(request: SweepRequest, { method, by }: Settings, setting: number) {
+  return (by === 'rate' ? sweptExperiment : tolerantExperiment)(request, method, setting)
+}
+
+/** The curves of a sweep: all by rate and, for tolerances that a method of its order can reach, all by tolerance. */
+export function curvesOf({ methods, rates, tolerances }: SweepRequest): Settings[] {
+  const byTolerance = methods.map((method) => {
+    const { order, orderWithSpeed }: Integrator = integrators.find(({ id }) => id === method)!
+    const least = SHORTEST ** Math.min(order, orderWithSpeed)
+    // A power of ten is rounded, and so is this.
+    const settings = tolerances.filter((tolerance) => tolerance >= 0.99 * least)
+    return { method, by: 'tolerance', settings } as const
+  })
+  return [
+    ...methods.map((method) => ({ method, by: 'rate', settings: rates }) as const),
+    ...byTolerance.filter(({ settings }) => settings.length > 0),
+  ]
+}
+
 /**
- * Runs the sweep, method by method. Between two points it yields nothing, so that whoever drives it can stop.
+ * Runs the sweep, curve by curve. Between two points it yields nothing, so that whoever drives it can stop.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
 export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined> {
-  const { methods, rates } = request
   const scale = scaleOf(parseExperiment(request.experiment)).length
-  for (const method of methods) {
-    const column = () => new Float64Array(rates.length)
-    const curve = { errors: column(), rms: column(), evaluations: column() }
-    const outcomes = new Uint8Array(rates.length)
-    for (const [i, rate] of rates.entries()) {
-      const run = simulate(sweptExperiment(request, method, rate))
+  for (const curve of curvesOf(request)) {
+    const { settings } = curve
+    const column = () => new Float64Array(settings.length)
+    const found = { errors: column(), rms: column(), evaluations: column() }
+    const outcomes = new Uint8Array(settings.length)
+    for (const [i, setting] of settings.entries()) {
+      const run = simulate(experimentAt(request, curve, setting))
       const { largest, rms } = presentationErrorSizes(run)
-      curve.errors[i] = largest
-      curve.rms[i] = rms
-      curve.evaluations[i] = evaluationsPerSecond(run)
+      found.errors[i] = largest
+      found.rms[i] = rms
+      found.evaluations[i] = evaluationsPerSecond(run)
       outcomes[i] = outcomeKinds.indexOf(run.outcome.kind)
-      yield i === rates.length - 1 ? { method, ...curve, outcomes, scale } : undefined
+      yield i === settings.length - 1 ? { ...curve, ...found, outcomes, scale } : undefined
     }
   }
 }
 
 /**
- * Takes the time of each point of a sweep, method by method, and all of it again: what disturbs one round does not
+ * Takes the time of each point of a sweep, curve by curve, and all of it again: what disturbs one round does not
  * disturb the next in the same place. It yields as `sweep` does, each curve as often as there are rounds.
  *
  * @throws ExperimentError for an experiment that can't be run, RangeError where the clock is too coarse
@@ -107,23 +156,25 @@ export function* timedSweep(
   request: SweepRequest,
   clock: Clock,
 ): Generator<TimedCurve | undefined> {
-  const { methods, rates } = request
+  const curves = curvesOf(request)
   const tick = tickOf(clock)
   if (tick > COARSEST_TICK) throw new RangeError(coarseClock(tick))
-  const column = (value: number) => methods.map(() => new Float64Array(rates.length).fill(value))
-  const least = column(Infinity)
-  const most = column(0)
+  const columns = (value: number) =>
+    curves.map(({ settings }) => new Float64Array(settings.length).fill(value))
+  const least = columns(Infinity)
+  const most = columns(0)
   for (let round = 0; round < TIMED_ROUNDS; round++)
-    for (const [m, method] of methods.entries()) {
-      const nanoseconds = least[m]!
-      const slowest = most[m]!
-      for (const [i, rate] of rates.entries()) {
-        const experiment = sweptExperiment(request, method, rate)
+    for (const [c, curve] of curves.entries()) {
+      const nanoseconds = least[c]!
+      const slowest = most[c]!
+      const { settings } = curve
+      for (const [i, setting] of settings.entries()) {
+        const experiment = experimentAt(request, curve, setting)
         const taken = nanosecondsPerSecond(experiment, clock, tick)
         nanoseconds[i] = Math.min(nanoseconds[i]!, taken)
         slowest[i] = Math.max(slowest[i]!, taken)
-        yield i === rates.length - 1
-          ? { method, nanoseconds: nanoseconds.slice(), slowest: slowest.slice() }
+        yield i === settings.length - 1
+          ? { ...curve, nanoseconds: nanoseconds.slice(), slowest: slowest.slice() }
           : undefined
       }
     }
@@ -147,11 +198,11 @@ export function isExact(curve: SweepCurve): boolean {
 }
 
 /**
- * The order that a method shows in a sweep: fitted to the root mean square errors of its finest steps that are still
+ * The order that a curve by rate shows: fitted to the root mean square errors of its finest steps that are still
  * well above rounding. NaN where fewer than three are left.
  */
-export function orderOfCurve(curve: SweepCurve, rates: readonly number[]): number {
-  const fine = rates
+export function orderOfCurve(curve: SweepCurve): number {
+  const fine = curve.settings
     .map((rate, i) => ({ step: 1 / rate, error: curve.rms[i]!, whole: counts(curve, i) }))
     .filter(({ error, whole }) => whole && withoutRounding(error / 10, curve.scale) > 0)
     .sort((a, b) => a.step - b.step)

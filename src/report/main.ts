@@ -1,12 +1,13 @@
 import { compareCheckouts } from './against.ts'
 import { beChild } from './child.ts'
+import { controlled } from './frontiers/controlled.ts'
 import { measure } from './measure.ts'
 import { readReport, writeReport } from './write.ts'
 import { terminalText } from './text/terminal.ts'
 
 /**
- * `bench` measures and prints; `report` measures and writes. `report --redraw` measures nothing: it writes the diagrams and the
- * page again from the numbers of the last report. `bench --against PATH` compares the physics module with that of another
+ * `bench` measures and prints; `report` measures and writes. `report --redraw` takes no times: it counts evaluations
+ * anew, and writes the diagrams and the page again from the numbers of the last report. `bench --against PATH` compares the physics module with that of another
  * checkout. With `--quick`: few rounds, for trying out.
  */
 const [command, ...options] = process.argv.slice(2)
@@ -21,5 +22,10 @@ else if (command === 'bench' && against >= 0)
 else if (command === 'bench')
   console.log(terminalText({ ...(await measure(quick, tell)), diagrams: [] }))
 else if (command === 'report')
-  await writeReport(options.includes('--redraw') ? readReport() : await measure(quick, tell), tell)
+  await writeReport(
+    options.includes('--redraw')
+      ? { ...readReport(), controlled: controlled() }
+      : await measure(quick, tell),
+    tell,
+  )
 else throw new Error(`“${command}” is neither bench nor report.`)

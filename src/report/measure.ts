@@ -3,6 +3,7 @@ import { integrators } from '../physics/index.ts'
 import { inChild } from './child.ts'
 import type { TaskName, Tasks } from './tasks.ts'
 import { engineList, engines } from './engines/index.ts'
+import { controlled } from './frontiers/controlled.ts'
 import { compareAt } from './frontiers/compare.ts'
 import { problems } from './frontiers/problems.ts'
 import { frameTimes } from './frameTimes.ts'
@@ -80,6 +81,7 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
 
   const frontiers: Frontier[] = []
   for (const { id: problem, label, about, experiment, at } of problems) {
+    if (at.length === 0) continue
     const curves: WorkCurve[] = []
     for (const { id: method } of methods) {
       const given = { problem, method, care: forCurves(care) }
@@ -118,6 +120,7 @@ export async function measure(quick: boolean, tell: Tell): Promise<Omit<Report, 
       friction,
     },
     frontiers,
+    controlled: controlled(),
   }
   return { ...measured, targets: targets(measured), notRun }
 }

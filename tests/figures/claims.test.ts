@@ -14,6 +14,7 @@ import { halfPipeEnergy } from '../../src/figures/halfPipeEnergy.ts'
 import { hitch } from '../../src/figures/hitch.ts'
 import { massCancels } from '../../src/figures/massCancels.ts'
 import { paperPath, paperStep } from '../../src/figures/paperStep.ts'
+import { stepToTolerance } from '../../src/figures/stepToTolerance.ts'
 import { springLimit } from '../../src/figures/springLimit.ts'
 import { threeStops } from '../../src/figures/threeStops.ts'
 import { whereDoesItStop } from '../../src/figures/whereDoesItStop.ts'
@@ -247,5 +248,28 @@ describe('paper-step', () => {
   test('as many points as frames', () => {
     for (const fps of [5, 7, 60])
       expect(paperPath({ ...allCorrected, fps })).toHaveLength(3 * fps + 1)
+  })
+})
+
+describe('step-to-tolerance', () => {
+  test.each([-3, -5, -7, -9])(
+    'to 10 to the power of %d, the steps crowd where the stone is quick',
+    (exponent) => {
+      const [run] = set(stepToTolerance, { exponent }).runs
+      expect(run!.experiment.timestep).toMatchObject({ tolerance: Number(`1e${exponent}`) })
+      const times = [0, ...stepsOf(run!).map(({ time }) => time)]
+      // Every step that is kept, and nothing that was taken back: they add up.
+      expect(last(times)).toBeCloseTo(2, 12)
+      expect(times.length - 1).toBe(run!.steps)
+      const lengths = times.slice(1).map((time, i) => time - times[i]!)
+      // At 12 m/s a second's change of the motion takes m/(c v) = 1/24 s, at the end 1/4 s.
+      expect(lengths[lengths.length >> 1]!).toBeGreaterThan(1.5 * lengths[0]!)
+    },
+  )
+
+  test('a smaller tolerance takes more steps, and says so', () => {
+    const [coarse, fine] = [-4, -7].map((exponent) => set(stepToTolerance, { exponent }))
+    expect(fine!.runs[0]!.steps).toBeGreaterThan(3 * coarse!.runs[0]!.steps)
+    expect(fine!.says).toContain('Allowed: 100\u202fnm for each second.')
   })
 })

@@ -7,7 +7,10 @@ import { join, resolve } from 'node:path'
 import { startVitest } from 'vitest/node'
 
 const root = resolve(import.meta.dirname, '../..')
-const files = ['friction', 'frames', 'oscillations', 'extremes', 'jumps']
+const files = [
+  ...['friction', 'frames', 'oscillations', 'extremes', 'jumps'],
+  ...['edges', 'limits', 'crestAndBelt', 'tolerances'],
+]
 
 const vitest = await startVitest(
   'test',

@@ -77,7 +77,7 @@ describe('a difference', () => {
       const run = simulate(experiment)
       const { largest } = presentationErrorSizes(run)
       expect(withoutRounding(largest, scaleOf(run.experiment).length)).toBe(0)
-      const request = { experiment, methods: [id], rates: [5, 30, 60] }
+      const request = { experiment, methods: [id], rates: [5, 30, 60], tolerances: [] }
       const curve = [...sweep(request)].at(-1)!
       expect(isExact(curve)).toBe(true)
     }

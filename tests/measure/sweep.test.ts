@@ -10,9 +10,11 @@ import {
   sweep,
   sweepMethods,
   sweepRates,
+  sweepTolerances,
   sweptExperiment,
   TIMED_ROUNDS,
   timedSweep,
+  tolerantExperiment,
 } from '../../src/measure/index.ts'
 import type { SweepCurve, SweepRequest } from '../../src/measure/index.ts'
 import { integrators, simulate } from '../../src/physics/index.ts'
@@ -26,7 +28,7 @@ const kick: Experiment = {
 }
 
 function request(experiment: Experiment): SweepRequest {
-  return { experiment, methods: sweepMethods, rates: sweepRates }
+  return { experiment, methods: sweepMethods, rates: sweepRates, tolerances: [] }
 }
 
 function curves(experiment: Experiment): SweepCurve[] {
@@ -50,6 +52,25 @@ describe('a sweep', () => {
       }
   })
 
+  it('to tolerances is runs of the policy, as far as a method of its order gets', () => {
+    const asked = { ...request(pipe), rates: [30], tolerances: sweepTolerances }
+    const found = [...sweep(asked)].filter((curve) => curve !== undefined)
+    const byTolerance = found.filter(({ by }) => by === 'tolerance')
+    expect(byTolerance.map(({ method }) => method)).toEqual(sweepMethods)
+    for (const { method, settings, errors, evaluations } of byTolerance) {
+      const { order } = claimOf(method)
+      expect(settings.at(-1)).toBe(order === 1 ? 1e-4 : order === 2 ? 1e-8 : 1e-10)
+      for (const [i, tolerance] of settings.entries()) {
+        const run = simulate(tolerantExperiment(asked, method, tolerance))
+        expect(errors[i]).toBe(presentationErrors(run).largest)
+        expect(evaluations[i]).toBe(run.evaluations / 2.5)
+      }
+      // A smaller error is never had for less.
+      const sorted = [...evaluations].sort((a, b) => a - b)
+      expect([...evaluations]).toEqual(sorted)
+    }
+  })
+
   it('yields between points, and a curve at the end of each method', () => {
     const parts = [...sweep(request(kick))]
     expect(parts).toHaveLength(sweepMethods.length * sweepRates.length)
@@ -60,19 +81,19 @@ describe('a sweep', () => {
     const { order } = claimOf(curve.method)
     // The next term of the error is a few steps' worth of the first; at 960 steps a second, and for a method of the
     // fourth order at 100, that is below a tenth of an order. One of the eighth comes to rounding in a dozen steps a second.
-    expect(Math.abs(orderOfCurve(curve, sweepRates) - order)).toBeLessThan(order > 4 ? 0.2 : 0.1)
+    expect(Math.abs(orderOfCurve(curve) - order)).toBeLessThan(order > 4 ? 0.2 : 0.1)
   })
 
   it('through a stop: located keeps every order, or is exact; clamped leaves the first', () => {
     for (const curve of curves(kick)) {
       const { order } = claimOf(curve.method)
       if (order > 1) expect(isExact(curve)).toBe(true)
-      else expect(Math.abs(orderOfCurve(curve, sweepRates) - 1)).toBeLessThan(0.1)
+      else expect(Math.abs(orderOfCurve(curve) - 1)).toBeLessThan(0.1)
     }
     for (const curve of curves({ ...kick, stopping: 'clamped' })) {
       expect(isExact(curve)).toBe(false)
       // Where in its last step the block stops changes from rate to rate: the points scatter about the line.
-      expect(Math.abs(orderOfCurve(curve, sweepRates) - 1)).toBeLessThan(0.5)
+      expect(Math.abs(orderOfCurve(curve) - 1)).toBeLessThan(0.5)
     }
   })
 
@@ -83,7 +104,7 @@ describe('a sweep', () => {
     expect([...euler!.outcomes].map((kind) => outcomeKinds[kind])).toEqual(
       sweepRates.map(() => 'diverged'),
     )
-    expect(orderOfCurve(euler!, sweepRates)).toBeNaN()
+    expect(orderOfCurve(euler!)).toBeNaN()
     expect(isExact(euler!)).toBe(false)
   })
 })

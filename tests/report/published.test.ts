@@ -4,6 +4,7 @@ import { join, relative } from 'node:path'
 import { describe, expect, it } from 'vitest'
 import { drawDiagrams } from '../../src/report/diagrams/index.ts'
 import { engineClocks, engineScenes } from '../../src/report/engines/scenes.ts'
+import { controlled } from '../../src/report/frontiers/controlled.ts'
 import { runOurs } from '../../src/report/engines/run.ts'
 import { ours } from '../../src/report/engines/index.ts'
 import type { Report } from '../../src/report/schema/index.ts'
@@ -33,6 +34,10 @@ describe('what is published follows from the figures, and nothing of it is typed
 
   it('the targets: met or missed as their figures say', () => {
     expect(rounded(targets(report))).toEqual(report.targets)
+  })
+
+  it('evaluations to tolerance and of odex, which are the same on every machine', () => {
+    expect(rounded(controlled())).toEqual(report.controlled)
   })
 
   it('our own runs, which are the same on every machine', () => {

@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
 import { roughSize } from '../../src/chart/magnitudes.ts'
 import { opening } from '../../src/lab/state/opening.ts'
-import { presentationErrors, sweepRates } from '../../src/measure/index.ts'
+import { presentationErrors, sweepRates, sweepTolerances } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { shared, openMeasures, press } from './measurePage.ts'
@@ -42,7 +42,9 @@ describe('the runners of the lab in the diagram', () => {
       expect(words).toContain(`${fps} fps ${sizes[i]!.replace(/\s/g, ' ')}`)
     expect(words).toContain('Dashed')
     await lab.page.locator('slide-speed-diagram summary').click()
-    const row = lab.page.locator('slide-speed-diagram tbody tr').nth(sweepRates.length)
+    const row = lab.page
+      .locator('slide-speed-diagram tbody tr')
+      .nth(sweepRates.length + sweepTolerances.length)
     expect(await row.locator('th').innerText()).toMatch(/^10 fps\s+in the lab$/)
     expect(await row.locator('td').nth(1).innerText()).toContain(sizes[0]!)
     expect(await row.locator('td').nth(0).innerText()).toBe('')

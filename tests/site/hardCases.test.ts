@@ -1,3 +1,4 @@
+import type { Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
 import { hardCases } from '../../src/measure/index.ts'
 import { violationsOn } from './axe.ts'
@@ -11,6 +12,7 @@ describe('the hard cases on the page', () => {
     'axe finds nothing at %i px, %s, and nothing is too wide',
     async (width, colorScheme) => {
       const { page, problems } = await openPage({ width, colorScheme })
+      await unfold(page)
       expect(await violationsOn(page, '#hard-cases')).toEqual([])
       const excess = await page
         .locator('.hard-cases :is(.table, th, td)')
@@ -20,12 +22,32 @@ describe('the hard cases on the page', () => {
     },
   )
 
+  test.each([1440, 390])(
+    'are folded to a line a group at %i px, and open by their line and on paper',
+    async (width) => {
+      const { page } = await openPage({ width })
+      const folds = page.locator('.hard-cases details')
+      const heights = await folds.evaluateAll((all) => all.map(({ clientHeight }) => clientHeight))
+      expect(heights.length).toBeGreaterThan(5)
+      // A heading of one line, or two on a phone, with its room.
+      expect(Math.max(...heights)).toBeLessThan(100)
+      const tables = page.locator('.hard-cases table:visible')
+      expect(await tables.count()).toBe(0)
+      await folds.first().locator('summary .counts').click()
+      expect(await tables.count()).toBe(1)
+      await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+      expect(await tables.count()).toBe(heights.length)
+      await page.evaluate(() => dispatchEvent(new Event('afterprint')))
+      expect(await tables.count()).toBe(1)
+    },
+  )
+
   test('are there without JavaScript, with an entry in the contents', async () => {
     const { page } = await openPage({ javaScriptEnabled: false })
     const section = page.locator('#hard-cases')
     expect(await section.locator('tbody').count()).toBe(hardCases.length)
     expect(await page.locator('.contents a[href="#hard-cases"]').innerText()).toBe('Hard cases')
-    expect(await section.innerText()).toContain('leaves the pipe: as documented')
+    expect(await section.textContent()).toContain('leaves the pipe: as documented')
   })
 
   test('each has an address of its own', async () => {
@@ -39,6 +61,7 @@ describe('the hard cases on the page', () => {
 
   test('open in the lab, one after the other', async () => {
     const { page, problems } = await openPage({ reducedMotion: 'reduce' })
+    await unfold(page)
     for (const [id, runners] of [
       ['pipe-from-89-degrees', 7],
       ['five-fps', 3],
@@ -53,3 +76,10 @@ describe('the hard cases on the page', () => {
     expect(problems).toEqual([])
   })
 })
+
+/** Opens all groups. */
+async function unfold(page: Page): Promise<void> {
+  await page
+    .locator('.hard-cases details')
+    .evaluateAll((folds) => folds.forEach((fold) => ((fold as HTMLDetailsElement).open = true)))
+}

@@ -1,3 +1,4 @@
+import type { SweepCurve } from '../../src/measure/index.ts'
 import type { Page } from 'playwright-core'
 import { opening } from '../../src/lab/state/opening.ts'
 import type { Experiment } from '../../src/physics/index.ts'
@@ -103,15 +104,17 @@ async function ready(page: Page): Promise<void> {
 export function sweptIn(page: Page) {
   return page.evaluate(() => {
     const { swept } = document.querySelector('slide-speed-diagram') as unknown as {
-      swept: Map<string, Record<string, Float64Array | string>>
+      swept: Map<string, SweepCurve>
     }
-    return [...swept].map(([method, { errors, rms, evaluations, outcomes }]) => ({
-      method,
-      errors: [...(errors as Float64Array)],
-      rms: [...(rms as Float64Array)],
-      evaluations: [...(evaluations as Float64Array)],
-      outcomes: [...(outcomes as Float64Array)],
-    }))
+    return [...swept.values()].map(
+      ({ method, by, settings, errors, rms, evaluations, outcomes }) => ({
+        ...{ method, by, settings },
+        errors: [...errors],
+        rms: [...rms],
+        evaluations: [...evaluations],
+        outcomes: [...outcomes],
+      }),
+    )
   })
 }
 

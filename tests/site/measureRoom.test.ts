@@ -49,7 +49,7 @@ test.each(
       if (view === 'Time on this device')
         await expect
           .poll(() => page.locator('slide-speed-diagram .curve').count(), { timeout: 20_000 })
-          .toBe(sweepMethods.length)
+          .toBe(2 * sweepMethods.length)
       await lab.ready()
       await page.locator('slide-lab-measures .measure:not([data-busy])').waitFor()
       const after = await page.evaluate(() => [
@@ -90,7 +90,7 @@ test.each([1440, 390])('at %i px the text’s own diagram keeps its height too',
       },
       { timeout: 20_000 },
     )
-    .toBe(sweepMethods.length)
+    .toBe(2 * sweepMethods.length)
   await expect.poll(() => bar.count()).toBe(0)
   expect(await figure.locator('.advice li').count()).toBeGreaterThan(3)
   const after = await page.evaluate(() => [

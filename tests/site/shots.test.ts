@@ -27,6 +27,8 @@ const shots: {
   { name: 'run-out', address: 'scene=run-out', width: 1024, height: 900, scheme: 'dark' },
   { name: 'half-pipe', address: 'scene=half-pipe', width: 1024, height: 900, scheme: 'light' },
   { name: 'spring', address: 'scene=spring', width: 1024, height: 900, scheme: 'dark' },
+  { name: 'crest', address: 'scene=crest', width: 1024, height: 900, scheme: 'light' },
+  { name: 'belt', address: 'scene=belt', width: 1024, height: 900, scheme: 'dark' },
   { name: 'phone-light', width: 390, height: 844, scheme: 'light' },
   { name: 'phone-dark', width: 390, height: 844, scheme: 'dark' },
 ]

@@ -6,7 +6,9 @@ import {
   presentationErrors,
   sweepMethods,
   sweepRates,
+  sweepTolerances,
   sweptExperiment,
+  tolerantExperiment,
 } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'
 import { swept, ENGINES, forbidWorkers, openMeasures, sweptIn, press } from './measurePage.ts'
@@ -30,16 +32,20 @@ describe('speed against error', () => {
     const lab = await openMeasures()
     await lab.ready()
     const curves = await sweptIn(lab.page)
-    expect(curves.map(({ method }) => method)).toEqual(sweepMethods)
-    for (const { method, errors, evaluations } of curves)
-      for (const [i, rate] of sweepRates.entries()) {
-        const run = simulate(sweptExperiment(swept, method as (typeof sweepMethods)[number], rate))
+    expect(curves.map(({ method, by }) => [method, by])).toEqual([
+      ...sweepMethods.map((id) => [id, 'rate']),
+      ...sweepMethods.map((id) => [id, 'tolerance']),
+    ])
+    for (const { method, by, settings, errors, evaluations } of curves)
+      for (const [i, setting] of settings.entries()) {
+        const asked = by === 'rate' ? sweptExperiment : tolerantExperiment
+        const run = simulate(asked(swept, method as (typeof sweepMethods)[number], setting))
         expect(evaluations[i]).toBe(run.evaluations / run.time.at(-1)!)
         expect(Math.abs(errors[i]! - presentationErrors(run).largest)).toBeLessThan(ENGINES)
       }
-    expect(await lab.page.locator('slide-speed-diagram .curve .mark').count()).toBe(
-      sweepMethods.length * sweepRates.length,
-    )
+    const points = curves.reduce((sum, { settings }) => sum + settings.length, 0)
+    expect(points).toBeGreaterThan(sweepMethods.length * sweepRates.length + 40)
+    expect(await lab.page.locator('slide-speed-diagram .curve .mark').count()).toBe(points)
     expect(await lab.page.locator('slide-speed-diagram .advice').innerText()).toContain(
       'For no error but rounding, use Velocity Verlet at 5 steps a second.',
     )
@@ -47,7 +53,7 @@ describe('speed against error', () => {
     await lab.page.locator('slide-speed-diagram table').waitFor()
     const cells = lab.page.locator('slide-speed-diagram td')
     expect(await cells.count()).toBe(
-      sweepMethods.length * (sweepRates.length + opening.runners.length),
+      sweepMethods.length * (sweepRates.length + sweepTolerances.length + opening.runners.length),
     )
     expect(await cells.nth(0).innerText()).toMatch(/^0\.\d\d\u202fm\s+\d+$/)
     expect(await cells.nth(2).innerText()).toMatch(/^0 \(to rounding\)\s+7$/)
@@ -61,7 +67,7 @@ describe('speed against error', () => {
     const byPage = await openMeasures('scene=half-pipe', { prepare: forbidWorkers })
     await byPage.ready()
     const curves = await sweptIn(byPage.page)
-    expect(curves).toHaveLength(sweepMethods.length)
+    expect(curves).toHaveLength(2 * sweepMethods.length)
     expect(await sweptIn(byWorker.page)).toEqual(curves)
     expect(byPage.problems).toEqual([])
   })
@@ -158,7 +164,8 @@ describe('speed against error', () => {
       }
       return [...timed.values()].flatMap(({ nanoseconds }) => [...nanoseconds])
     })
-    expect(times).toHaveLength(sweepMethods.length * sweepRates.length)
+    const curves = await sweptIn(lab.page)
+    expect(times).toHaveLength(curves.reduce((sum, { settings }) => sum + settings.length, 0))
     for (const time of times) expect(time).toBeGreaterThan(0)
     expect(lab.problems).toEqual([])
   })

@@ -13,14 +13,15 @@ export interface Step {
 
 const kept = new WeakMap<Trajectory, readonly Step[]>()
 
-/** Every step of a run, as it was taken. */
+/** Every step of a run that was not taken back. */
 export function stepsOf(run: Trajectory): readonly Step[] {
   let ticks = kept.get(run)
   if (!ticks) {
     const all: Step[] = []
     for (let row = 1; row <= run.frames; row++) {
       let time = run.stateTime[row - 1]!
-      for (const { dt } of traceFrame(run.experiment, row)) all.push({ time: (time += dt), row })
+      for (const { dt, takenBack } of traceFrame(run.experiment, row))
+        if (!takenBack) all.push({ time: (time += dt), row })
     }
     kept.set(run, (ticks = all))
   }

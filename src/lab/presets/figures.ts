@@ -102,6 +102,12 @@ const rows: readonly (readonly [id: string, label: string, watch: string, addres
     'scene=half-pipe&position=2.6&duration=12&runners=60/explicit-euler',
   ],
   [
+    'step-to-tolerance',
+    'Steps to tolerance',
+    'In the strip under the time: steps crowd where the ball is quick.',
+    'scene=fall&drag=2&speed=12&position=0&duration=2&runners=1/tolerance(tolerance:0.0001)/rk4',
+  ],
+  [
     'break-it',
     'Try to break it',
     'Change the frame rates, the scatter and the stalls as you like: the blocks end in one place.',

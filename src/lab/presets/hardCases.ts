@@ -10,11 +10,14 @@ import type { Preset } from './preset.ts'
 
 /** What the numbers of the hard cases' groups are called in the menu. */
 export const groups: readonly (readonly [string, readonly number[]])[] = [
-  ['Stopping and staying', [1, 2, 3, 4, 5, 6]],
+  ['Stopping and staying', [1, 2, 3, 4, 5, 6, 21]],
   ['Frames and clocks', [7, 8, 17]],
-  ['Swings', [9, 10, 11, 12]],
+  ['Swings', [9, 10, 11, 12, 27]],
   ['Stops and joints', [14, 15]],
-  ['Extreme numbers', [13, 16]],
+  ['Bends, lips and tops', [18, 19, 20]],
+  ['Crest and belt', [23, 24]],
+  ['Tolerance and heat', [25, 28]],
+  ['Extreme numbers', [13, 16, 22, 26]],
 ]
 
 /** So many frames of all runners together are simulated, and drawn, without a wait that is felt. */

@@ -1,8 +1,12 @@
+import { crestAndBeltClaims } from './crestAndBelt.ts'
+import { edgesClaims } from './edges.ts'
 import { extremesClaims } from './extremes.ts'
 import { framesClaims } from './frames.ts'
 import { frictionClaims } from './friction.ts'
 import { jumpsClaims } from './jumps.ts'
+import { limitsClaims } from './limits.ts'
 import { oscillationsClaims } from './oscillations.ts'
+import { tolerancesClaims } from './tolerances.ts'
 import type { Claims } from './hardCase.ts'
 
 /**
@@ -15,4 +19,8 @@ export const hardCaseClaims: Readonly<Record<string, Claims>> = {
   ...oscillationsClaims,
   ...extremesClaims,
   ...jumpsClaims,
+  ...edgesClaims,
+  ...limitsClaims,
+  ...crestAndBeltClaims,
+  ...tolerancesClaims,
 }

@@ -3,7 +3,7 @@ import type { Experiment } from '../../physics/index.ts'
 /** A case on which simulations go wrong: what it is and what to watch. */
 export interface HardCase {
   readonly id: string
-  /** Cases of one kind share a number, 1 … 17. */
+  /** Cases of one kind share a number, 1 … 28. */
   readonly group: number
   readonly label: string
   /** One sentence for whoever looks at it run. */

@@ -1,9 +1,13 @@
 import type { Bound } from './hardCase.ts'
+import crestAndBelt from './results/crestAndBelt.json'
+import edges from './results/edges.json'
 import extremes from './results/extremes.json'
 import frames from './results/frames.json'
 import friction from './results/friction.json'
 import jumps from './results/jumps.json'
+import limits from './results/limits.json'
 import oscillations from './results/oscillations.json'
+import tolerances from './results/tolerances.json'
 
 /** What was measured of a claim, of all runs the one that came nearest to its bound. */
 export interface Result {
@@ -25,4 +29,8 @@ export const hardCaseResults: Results = {
   ...oscillations,
   ...extremes,
   ...jumps,
+  ...edges,
+  ...limits,
+  ...crestAndBelt,
+  ...tolerances,
 }

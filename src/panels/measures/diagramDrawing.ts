@@ -58,16 +58,16 @@ function frontierLine({ frontier }: DiagramLayout) {
 }
 
 function curve({ curve, spots }: Drawn, chosen: DiagramSpot | undefined) {
-  const { paletteIndex, method } = curve
+  const { paletteIndex, method, by } = curve
   let pen = false
   const path = spots.map(({ x, y, point }) => {
     const text = point.whole ? `${pen ? 'L' : 'M'}${round(x)} ${round(y)}` : ''
     pen = point.whole
     return text
   })
-  return svg`<g class="curve" data-method=${method} .style="--look: var(--runner-${paletteIndex})" ?data-chosen=${chosen?.point.method === method}>
+  return svg`<g class="curve" data-method=${method} data-by=${by} .style="--look: var(--runner-${paletteIndex})" ?data-chosen=${chosen?.point.method === method}>
     <path class="line" d=${path.join('')} />
-    ${spots.map(({ x, y, point }) => (point.whole ? svgMark(paletteIndex, x, y, 4.2) : svg`<path class="failure" d="M${round(x - 3.5)} ${round(y - 3.5)}l7 7m0-7l-7 7" />`))}
+    ${spots.map(({ x, y, point }) => (point.whole ? svgMark(paletteIndex, x, y, by === 'rate' ? 4.2 : 3) : svg`<path class="failure" d="M${round(x - 3.5)} ${round(y - 3.5)}l7 7m0-7l-7 7" />`))}
   </g>`
 }
 
@@ -83,6 +83,7 @@ function ring({ x, y, point }: DiagramSpot) {
 }
 
 function label({ right }: DiagramLayout, { curve, spots, labelY }: Drawn) {
+  if (labelY === undefined) return nothing
   const last = spots.at(-1)
   const x = right + 16
   return svg`<g class="name" .style="--look: var(--runner-${curve.paletteIndex})">

@@ -15,8 +15,8 @@ export interface DiagramSpot {
 export interface Drawn {
   readonly curve: DiagramCurve
   readonly spots: readonly DiagramSpot[]
-  /** Of its label [px]. */
-  readonly labelY: number
+  /** Of its label, if it has one [px]. */
+  readonly labelY: number | undefined
 }
 
 /** Where everything in the diagram is [px]. */
@@ -58,15 +58,18 @@ export function layOut(
   const left = LEFT
   const right = width - (named ? NAMES : 14)
   const swept = curves.flatMap((curve) => curve.points)
-  const ringed = curves.map(({ method }) => runners.filter((each) => each.method === method))
+  const ringed = curves.map(({ method, by }) =>
+    runners.filter((each) => by === 'rate' && each.method === method),
+  )
   const points = [...swept, ...ringed.flat()]
   const whole = points.filter((point) => point.whole)
   const seen = whole.filter(({ error }) => error > 0)
   const failing = points.some((point) => !point.whole)
   // A row for each method that comes down to rounding, so that none hides another.
-  const exact = curves.filter(({ points }, i) =>
+  const precise = curves.filter(({ points }, i) =>
     [...points, ...ringed[i]!].some(({ whole, error }) => whole && error === 0),
   )
+  const exact = [...new Set(precise.map(({ method }) => method))]
   const top = failing ? 34 : 12
   const bottom = height - BOTTOM
   const floor = exact.length > 0 ? bottom - 10 - ROW * exact.length : bottom
@@ -74,7 +77,7 @@ export function layOut(
   const high = 10 ** decadeAbove(Math.max(...errors, 1e-3))
   const low =
     exact.length > 0
-      ? leastDifference(exact[0]!.scale)
+      ? leastDifference(precise[0]!.scale)
       : 10 ** decadeBelow(Math.min(...errors, high / 100))
   const up = logScale(low, high, floor, top)
   const costs = points.map(({ cost }) => cost).filter((cost) => cost > 0 && cost < Infinity)
@@ -86,7 +89,7 @@ export function layOut(
   )
   const place = (curve: DiagramCurve, point: DiagramPoint): DiagramSpot => {
     const { whole, error, cost } = point
-    const row = floor + 8 + ROW * (exact.indexOf(curve) + 0.5)
+    const row = floor + 8 + ROW * (exact.indexOf(curve.method) + 0.5)
     const y = !whole ? top - 14 : error === 0 ? row : up.at(error)
     return { point, x: across.at(Math.max(cost, across.from)), y }
   }
@@ -95,16 +98,21 @@ export function layOut(
   const spots = placed(curves.map(({ points }) => points))
   const all = spots.flat()
   const best = frontier(swept.filter(({ whole, cost }) => whole && cost > 0))
+  // A method is named once, at the end of its curve by rate.
+  const isNamed = curves.map(({ by }) => by === 'rate')
   const labels = spread(
-    spots.map((each) => each.at(-1)?.y ?? top),
+    spots.filter((_, i) => isNamed[i]).map((each) => each.at(-1)?.y ?? top),
     top + 4,
     bottom - 4,
-  )
+  )[Symbol.iterator]()
   return {
     ...{ width, height, left, right, top, bottom, across, up, named },
     rounding: exact.length > 0 ? floor : undefined,
     failed: failing ? top : undefined,
-    drawn: curves.map((curve, i) => ({ curve, spots: spots[i]!, labelY: labels[i]! })),
+    drawn: curves.map((curve, i) => ({
+      ...{ curve, spots: spots[i]! },
+      labelY: isNamed[i] ? labels.next().value : undefined,
+    })),
     rings: placed(ringed).flat(),
     frontier: best.map((point) => all.find((spot) => spot.point === point)!),
   }

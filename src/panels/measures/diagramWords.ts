@@ -36,12 +36,13 @@ export function leastError(curves: readonly DiagramCurve[]): number {
   return Math.min(...errors.map(({ error }) => error))
 }
 
-/** Whose run a point is: “Velocity Verlet at 30 steps a second”, “30 fps in the lab”. */
-export function pointName({ method, rate, runner }: DiagramPoint): string {
+/** Whose run a point is: “Velocity Verlet at 30 steps a second”, “Runge–Kutta 8 to 1 nm a second”, “30 fps in the lab”. */
+export function pointName({ method, by, setting, runner }: DiagramPoint): string {
   const { label } = integrators.find(({ id }) => id === method)!
-  return runner
-    ? `${runner.name} in the lab, ${label}`
-    : `${label} at ${plain(rate)} steps a second`
+  if (runner) return `${runner.name} in the lab, ${label}`
+  return by === 'rate'
+    ? `${label} at ${plain(setting)} steps a second`
+    : `${label} to ${roughSize(setting)} a second`
 }
 
 /** A point's error, or why it has none, in very few words. */
@@ -104,13 +105,17 @@ export function diagramAdvice(
   </div>`
 }
 
-/** The diagram in numbers: a row for each rate and each runner of the lab, the error and the cost of each method. */
+/** The diagram in numbers: a row for each rate, tolerance and runner of the lab, the error and the cost of each method. */
 export function diagramTable(
   curves: readonly DiagramCurve[],
   runners: readonly DiagramPoint[],
   kind: CostKind,
 ) {
-  const rates = curves[0]?.points.map(({ rate }) => rate) ?? []
+  const byRate = curves.filter(({ by }) => by === 'rate')
+  const byTolerance = curves.filter(({ by }) => by === 'tolerance')
+  const rates = byRate[0]?.points.map(({ setting }) => setting) ?? []
+  const all = byTolerance.flatMap(({ points }) => points.map(({ setting }) => setting))
+  const tolerances = [...new Set(all)].sort((a, b) => b - a)
   return html`<div
     class="scroll"
     tabindex="0"
@@ -125,7 +130,7 @@ export function diagramTable(
       <thead>
         <tr>
           <th scope="col">steps a second</th>
-          ${curves.map(({ label, order }) => html`<th scope="col">${label}<small>${order}</small></th>`)}
+          ${byRate.map(({ label, order }) => html`<th scope="col">${label}<small>${order}</small></th>`)}
         </tr>
       </thead>
       <tbody>
@@ -133,19 +138,38 @@ export function diagramTable(
           (rate, row) =>
             html`<tr>
               <th scope="row">${plain(rate)}</th>
-              ${curves.map(({ points }) => cell(points[row]!, kind))}
+              ${byRate.map(({ points }) => cell(points[row]!, kind))}
+            </tr>`,
+        )}
+        ${tolerances.map(
+          (tolerance) =>
+            html`<tr>
+              <th scope="row">to ${roughSize(tolerance)}<small>a second</small></th>
+              ${byRate.map(({ method }) => cellAt(byTolerance, method, tolerance, kind))}
             </tr>`,
         )}
         ${runners.map(
           (point) =>
             html`<tr>
               <th scope="row">${point.runner!.name}<small>in the lab</small></th>
-              ${curves.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
+              ${byRate.map(({ method }) => (method === point.method ? cell(point, kind) : html`<td></td>`))}
             </tr>`,
         )}
       </tbody>
     </table>
   </div>`
+}
+
+/** Nothing where a method is not asked for so small a tolerance. */
+function cellAt(
+  curves: readonly DiagramCurve[],
+  method: string,
+  tolerance: number,
+  kind: CostKind,
+) {
+  const points = curves.find((curve) => curve.method === method)?.points
+  const point = points?.find(({ setting }) => setting === tolerance)
+  return point ? cell(point, kind) : html`<td></td>`
 }
 
 function cell(point: DiagramPoint, kind: CostKind) {

@@ -42,8 +42,8 @@ export function labRunners(
     const isTimed = !apart && sweepRates.includes(rate)
     const why = whyNot(trajectory, shared) || (timed && !isTimed ? 'its time is not taken' : '')
     if (why) return { name, paletteIndex, why, point: undefined }
-    const curve = timed?.find((each) => each.method === method)
-    const same = curve?.points.find((point) => point.rate === rate)
+    const curve = timed?.find((each) => each.method === method && each.by === 'rate')
+    const same = curve?.points.find((point) => point.setting === rate)
     const cost = timed ? (same?.cost ?? NaN) : evaluationsPerSecond(trajectory)
     const mostCost = same?.mostCost
     const largest = errors.get(trajectory) ?? presentationErrorSizes(trajectory).largest
@@ -52,7 +52,17 @@ export function labRunners(
     const { kind: outcome } = trajectory.outcome
     const whole = (outcome === 'moving' || outcome === 'at-rest') && Number.isFinite(error)
     const runner = { name, paletteIndex, apart }
-    const point = { method, rate, cost, mostCost, error, outcome, whole, runner }
+    const point = {
+      method,
+      by: 'rate',
+      setting: rate,
+      cost,
+      mostCost,
+      error,
+      outcome,
+      whole,
+      runner,
+    } as const
     return { name, paletteIndex, why, point }
   })
 }

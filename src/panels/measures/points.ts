@@ -7,7 +7,7 @@ import {
   outcomeKinds,
   withoutRounding,
 } from '../../measure/index.ts'
-import type { SweepCurve } from '../../measure/index.ts'
+import type { Settings, SweepCurve } from '../../measure/index.ts'
 import { count, fixed, plain, seconds } from '../../chart/numbers.ts'
 
 /** What a simulated second costs. */
@@ -46,8 +46,9 @@ export const costKinds: readonly CostKind[] = [
 /** One run of a diagram: what it cost, and the error that this bought. */
 export interface DiagramPoint {
   readonly method: IntegratorId
-  /** Steps a second. */
-  readonly rate: number
+  readonly by: Settings['by']
+  /** Steps a second, or the tolerance [m/s]. */
+  readonly setting: number
   /** For a simulated second. */
   readonly cost: number
   /** The most that it was, where it was measured more than once. */
@@ -73,11 +74,12 @@ export interface DiagramRunner {
 /** What one method did. */
 export interface DiagramCurve {
   readonly method: IntegratorId
+  readonly by: Settings['by']
   readonly label: string
   /** Place in the palette and the list of marks. */
   readonly paletteIndex: number
   readonly points: readonly DiagramPoint[]
-  /** What was found of its order, in a word or two. */
+  /** What was found of its order, in a word or two; nothing of a curve by tolerance. */
   readonly order: string
   readonly exact: boolean
   /** The length of the path, against which rounding is measured [m]. */
@@ -87,7 +89,6 @@ export interface DiagramCurve {
 /** The curves of a diagram, from the sweep's numbers and what each point costs. */
 export function diagramCurves(
   curves: readonly SweepCurve[],
-  rates: readonly number[],
   costs: (curve: SweepCurve) => Float64Array | undefined,
   mostCosts: (curve: SweepCurve) => Float64Array | undefined = () => undefined,
 ): DiagramCurve[] {
@@ -96,19 +97,18 @@ export function diagramCurves(
     const cost = costs(curve)
     const most = mostCosts(curve)
     if (!cost) return []
-    const points = rates.map((rate, i) => ({
-      method: curve.method,
-      rate,
+    const { method, by, scale } = curve
+    const points = curve.settings.map((setting, i) => ({
+      ...{ method, by, setting },
       cost: cost[i]!,
       mostCost: most?.[i],
       error: withoutRounding(curve.errors[i]!, curve.scale),
       outcome: outcomeKinds[curve.outcomes[i]!]!,
       whole: counts(curve, i),
     }))
-    const order = orderText(curve, rates)
-    const { method, scale } = curve
+    const order = by === 'rate' ? orderText(curve) : ''
     const exact = isExact(curve)
-    return [{ method, label, paletteIndex: colour, points, order, exact, scale }]
+    return [{ method, by, label, paletteIndex: colour, points, order, exact, scale }]
   })
 }
 
@@ -118,10 +118,10 @@ function timeText(least: number, most = least): string {
   return from === to ? from : `${from} to ${to}`
 }
 
-function orderText(curve: SweepCurve, rates: readonly number[]): string {
+function orderText(curve: SweepCurve): string {
   if (isExact(curve)) return 'exact to rounding'
-  const order = orderOfCurve(curve, rates)
+  const order = orderOfCurve(curve)
   if (Number.isFinite(order)) return `order ${fixed(order, 1)}`
-  const whole = rates.some((_, i) => counts(curve, i))
+  const whole = curve.settings.some((_, i) => counts(curve, i))
   return whole ? 'order not to be seen' : 'no run to its end'
 }

@@ -1,7 +1,7 @@
 import { html, LitElement, nothing } from 'lit'
 import { integrators, stoppings } from '../../physics/index.ts'
 import type { Experiment, StoppingId } from '../../physics/index.ts'
-import { sweptExperiment } from '../../measure/index.ts'
+import { sweptExperiment, tolerantExperiment } from '../../measure/index.ts'
 import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
 import { raw } from '../../chart/numbers.ts'
 import { menu } from '../../ui/menu.ts'
@@ -139,8 +139,8 @@ class SpeedDiagram extends LitElement {
       ? html`<b>${pointName(spot.point)}</b>: ${this.words(spot.point)}.
           ${spot.point.runner ? nothing : html`<span class="soft">Click to see it in the lab.</span>`}`
       : html`<span class="soft"
-          >Further down is better, further left is cheaper; the grey band joins the best. Point at a
-          mark to read it.</span
+          >Further down is better, further left is cheaper; the grey band joins the best. Dashed
+          lines choose their steps, to a tolerance. Point at a mark to read it.</span
         >`
   }
 
@@ -153,7 +153,11 @@ class SpeedDiagram extends LitElement {
   show(point: DiagramPoint): void {
     if (point.runner) return
     this.load({
-      experiment: sweptExperiment(this.request, point.method, point.rate),
+      experiment: (point.by === 'rate' ? sweptExperiment : tolerantExperiment)(
+        this.request,
+        point.method,
+        point.setting,
+      ),
       label: pointName(point),
       words: `It is ${this.words(point)}.`,
     })
@@ -171,9 +175,12 @@ export function curveKey(curves: readonly DiagramCurve[]) {
       ({ id, label, colour }) =>
         html`<li>
           <slide-runner-mark .paletteIndex=${colour}></slide-runner-mark> ${label}
-          <span class="soft">${curves.find(({ method }) => method === id)?.order}</span>
+          <span class="soft"
+            >${curves.find(({ method, by }) => method === id && by === 'rate')?.order}</span
+          >
         </li>`,
     )}
+    <li class="soft">Dashed: to tolerance, with its tries</li>
   </ul>`
 }
 

@@ -62,8 +62,8 @@ function nextSpot(
   const rows = rowsOf(layout)
   const row = from ? rows.findIndex((spots) => spots.includes(from)) : 0
   const spots = rows[(row - up + rows.length) % rows.length]!
-  // Another curve is met at the same rate.
-  const met = spots.findIndex(({ point }) => point.rate === from?.point.rate)
+  // Another curve is met at the same rate or tolerance.
+  const met = spots.findIndex(({ point }) => point.setting === from?.point.setting)
   const place = !from ? 0 : up ? met : spots.indexOf(from) + along
   return spots[Math.max(0, Math.min(spots.length - 1, place))]!
 }

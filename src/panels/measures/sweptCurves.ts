@@ -1,13 +1,13 @@
 import type { Experiment, StoppingId } from '../../physics/index.ts'
-import { sweepMethods, sweepRates } from '../../measure/index.ts'
-import type { SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
+import { curvesOf, sweepMethods, sweepRates, sweepTolerances } from '../../measure/index.ts'
+import type { Settings, SweepCurve, SweepRequest, TimedCurve } from '../../measure/index.ts'
 import { diagramCurves } from './points.ts'
 import type { CostKind, DiagramCurve } from './points.ts'
 import { sharedExperiment } from './sharedExperiment.ts'
 import type { Task } from './task.ts'
 
-/** The curves of a sweep as far as they are measured, by method. */
-export class Curves<Curve extends { readonly method: string }> extends Map<string, Curve> {
+/** The curves of a sweep as far as they are measured, by method and kind. */
+export class Curves<Curve extends Settings> extends Map<string, Curve> {
   /** What was asked for: the same for curves of the same request. */
   key = ''
 
@@ -15,7 +15,7 @@ export class Curves<Curve extends { readonly method: string }> extends Map<strin
   take(request: SweepRequest, curves: readonly Curve[], fresh: boolean): void {
     if (fresh) this.clear()
     this.key = JSON.stringify(request)
-    for (const curve of curves) this.set(curve.method, curve)
+    for (const curve of curves) this.set(nameOf(curve), curve)
   }
 
   /** Whether they are those of a request. */
@@ -25,12 +25,12 @@ export class Curves<Curve extends { readonly method: string }> extends Map<strin
 
   /** Whether there are all of a request. */
   areAllOf(request: SweepRequest): boolean {
-    return this.areOf(request) && this.size === request.methods.length
+    return this.areOf(request) && this.size === curvesOf(request).length
   }
 }
 
 /**
- * All methods at all rates, in a scene and with a stopping rule.
+ * All methods at all rates and tolerances, in a scene and with a stopping rule.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
@@ -39,6 +39,7 @@ export function sweepRequest(experiment: Experiment, stopping: StoppingId): Swee
     experiment: { ...sharedExperiment(experiment), stopping },
     methods: sweepMethods,
     rates: sweepRates,
+    tolerances: sweepTolerances,
   }
 }
 
@@ -62,14 +63,16 @@ export function curvesAt(
   timed: Curves<TimedCurve>,
 ): DiagramCurve[] {
   const curves = [...swept.values()]
-  if (cost === 'evaluations')
-    return diagramCurves(curves, sweepRates, ({ evaluations }) => evaluations)
-  const times = ({ method }: SweepCurve) =>
-    timed.key === swept.key ? timed.get(method) : undefined
+  if (cost === 'evaluations') return diagramCurves(curves, ({ evaluations }) => evaluations)
+  const times = (curve: SweepCurve) =>
+    timed.key === swept.key ? timed.get(nameOf(curve)) : undefined
   return diagramCurves(
     curves,
-    sweepRates,
     (curve) => times(curve)?.nanoseconds,
     (curve) => times(curve)?.slowest,
   )
+}
+
+function nameOf({ method, by }: Settings): string {
+  return `${method} by ${by}`
 }

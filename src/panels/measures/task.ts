@@ -3,7 +3,7 @@ import type { Scene } from '../../physics/index.ts'
 // Not by the door of measure: the worker would carry the hard cases, which the page has already.
 import { rateMap, rowsOf } from '../../measure/rateMap.ts'
 import { spreadTable } from '../../measure/spreadTable.ts'
-import { sweep, sweepMethods, TIMED_ROUNDS, timedSweep } from '../../measure/sweep.ts'
+import { curvesOf, sweep, sweepMethods, TIMED_ROUNDS, timedSweep } from '../../measure/sweep.ts'
 import type {
   Clock,
   MapRequest,
@@ -49,7 +49,7 @@ export function begin(value: unknown, clock: Clock): Work {
     case 'sweep':
     case 'timing': {
       const checked = sweepRequest(asked)
-      const points = checked.methods.length * checked.rates.length
+      const points = curvesOf(checked).reduce((sum, { settings }) => sum + settings.length, 0)
       return kind === 'sweep'
         ? { parts: sweep(checked), total: points }
         : { parts: timedSweep(checked, clock), total: TIMED_ROUNDS * points }
@@ -68,7 +68,12 @@ export function begin(value: unknown, clock: Clock): Work {
   }
 }
 
-function sweepRequest({ experiment, methods, rates }: Record<string, unknown>): SweepRequest {
+function sweepRequest({
+  experiment,
+  methods,
+  rates,
+  tolerances,
+}: Record<string, unknown>): SweepRequest {
   return {
     experiment: parseExperiment(experiment),
     methods: list(methods, 'methods').map((each) => {
@@ -77,6 +82,9 @@ function sweepRequest({ experiment, methods, rates }: Record<string, unknown>): 
       return known
     }),
     rates: list(rates, 'rates').map((rate) => number(rate, 'A rate', 1, 1000)),
+    tolerances: list(tolerances, 'tolerances').map((tolerance) =>
+      number(tolerance, 'A tolerance', 1e-12, 1e-3),
+    ),
   }
 }
 

@@ -30,7 +30,11 @@ function best(curves: readonly WorkCurve[], error: number, by: Cost): Cheapest |
  * What an error costs on a curve: between the two neighbouring points of its frontier, on a straight line through their
  * logarithms. Null where the curve does not get there.
  */
-export function costAt(points: readonly WorkPoint[], error: number, by: Cost): number | null {
+export function costAt<By extends Cost>(
+  points: readonly Pick<WorkPoint, By | 'error'>[],
+  error: number,
+  by: By,
+): number | null {
   const best = frontier(points.map((point) => ({ cost: point[by], error: point.error })))
   const after = best.findIndex((offer) => offer.error <= error)
   if (after < 0) return null

@@ -8,7 +8,10 @@ import type { Problem } from './problems.ts'
 const CONVERGED = 0
 
 /** Three to each power of ten. */
-const tolerances: readonly number[] = Array.from({ length: 34 }, (_, i) => 10 ** (-1 - i / 3))
+export const tolerances: readonly number[] = Array.from(
+  { length: 34 },
+  (_, i) => 10 ** (-1 - i / 3),
+)
 
 /** odex at all tolerances, and for which of them it gave up. */
 export function odexCurve(problem: Problem, care: Care): { curve: WorkCurve; failed: number[] } {

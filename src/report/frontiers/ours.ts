@@ -30,7 +30,7 @@ export function ourCurve(problem: Problem, integrator: IntegratorId, care: Care)
     care,
   )
   const { label, colour } = integrators.find(({ id }) => id === integrator)!
-  const order = orderOfCurve(curve, rates)
+  const order = orderOfCurve(curve)
   return {
     id: integrator,
     label,
@@ -66,7 +66,7 @@ function swept(problem: Problem, method: IntegratorId): SweepCurve {
   const runs = rates.map((rate) => simulate(rated(problem, method, rate)))
   const sizes = runs.map(presentationErrorSizes)
   return {
-    method,
+    ...{ method, by: 'rate', settings: rates },
     errors: Float64Array.from(sizes, ({ largest }) => largest),
     rms: Float64Array.from(sizes, ({ rms }) => rms),
     evaluations: Float64Array.from(runs, evaluationsPerSecond),

@@ -8,12 +8,13 @@ export interface Problem {
   readonly experiment: Experiment & { parameters: Parameters; duration: number }
   /** dv/dt at s and v [m/s²]. */
   acceleration(parameters: Parameters): (s: number, v: number) => number
-  /** Errors [m] at which costs are compared. */
+  /** Errors [m] at which costs at fixed steps are compared; none where fixed steps are not. */
   readonly at: readonly number[]
 }
 
 const g = { gravity: 9.81, mass: 1 }
 
+/** On all of these, methods that choose their own steps are compared. */
 export const problems: readonly Problem[] = [
   {
     id: 'half-pipe',
@@ -47,5 +48,28 @@ export const problems: readonly Problem[] = [
       return (_, v) => drive - Math.sign(v) * friction
     },
     at: [1e-4, 1e-6, 1e-8],
+  },
+  {
+    id: 'run-out',
+    label: 'Run-out',
+    about: 'down 30° for 4 m and round a bend of 1.5 m radius to the flat, with μ = 0.2, for 3 s',
+    experiment: {
+      scene: 'run-out',
+      parameters: {
+        ...{ angle: 30, length: 4, bendRadius: 1.5, muStatic: 0.2, muKinetic: 0.2 },
+        ...{ position: 0, speed: 0, ...g },
+      },
+      duration: 3,
+    },
+    acceleration: ({ angle, length, bendRadius, muKinetic, gravity }) => {
+      const slope = (angle! * Math.PI) / 180
+      return (s, v) => {
+        const turned = Math.min(slope, Math.max(0, (s - length!) / bendRadius!))
+        const curvature = turned > 0 && turned < slope ? 1 / bendRadius! : 0
+        const press = gravity! * Math.cos(slope - turned) + curvature * v * v
+        return gravity! * Math.sin(slope - turned) - Math.sign(v) * muKinetic! * press
+      }
+    },
+    at: [],
   },
 ]

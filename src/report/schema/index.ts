@@ -142,6 +142,22 @@ const frontier = record({
   ),
 })
 
+/** What methods that choose their own steps spend on an error, each in evaluations for a simulated second. */
+const controlled = record({
+  id: text,
+  label: text,
+  about: text,
+  at: list(
+    record({
+      /** The largest of the run [m]. */
+      error: amount,
+      /** The best of ours to tolerance; null: none gets there. */
+      ours: orNull(record({ label: text, evaluations: amount })),
+      odex: orNull(amount),
+    }),
+  ),
+})
+
 /** What was asked for, and what came out. */
 const target = record({
   id: text,
@@ -169,6 +185,7 @@ const shape = record({
     friction: list(frictionSeen),
   }),
   frontiers: list(frontier),
+  controlled: list(controlled),
   targets: list(target),
   diagrams: list(diagram),
   /** What could not be run, and why. */
@@ -187,6 +204,7 @@ export type WorkPoint = Shaped<typeof workPoint>
 export type WorkCurve = Shaped<typeof workCurve>
 export type Cheapest = Shaped<typeof cheapest>
 export type Frontier = Shaped<typeof frontier>
+export type Controlled = Shaped<typeof controlled>
 export type Target = Shaped<typeof target>
 export type Diagram = Shaped<typeof diagram>
 

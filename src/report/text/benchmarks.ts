@@ -3,6 +3,7 @@ import { formatted } from './formatted.ts'
 import { markdownTable } from './markdown.ts'
 import {
   cheapestWays,
+  controlledWays,
   engineErrors,
   engineTimes,
   frameTable,
@@ -79,6 +80,13 @@ ${frontiers.flatMap(({ id }) => [diagram(`${id}-time.svg`), diagram(`${id}-evalu
 
 ${titled(cheapestWays(report))}
 
+odex chooses its steps, and so does the policy *to tolerance*. Here they meet, each at whatever tolerance leaves that error; ours
+with velocity Verlet, Runge–Kutta 4 and Runge–Kutta 8, in frames of half a second, with every try and every doubled step counted.
+
+${titled(controlledWays(report))}
+
+${controlledWords(report)}
+
 ## Targets
 
 ${table(targetTable(report))}
@@ -102,6 +110,19 @@ ${
   with those numbers. With \`-- --redraw\`, it writes the page and the diagrams again without measuring.
 - \`npm run bench -- --against ../other\` compares the processor time of this checkout's physics with another checkout's.
 `
+}
+
+/** Who is ahead where steps are chosen, and why. */
+function controlledWords({ controlled }: Report): string {
+  const behind = controlled.filter(({ at }) =>
+    at.some(({ ours, odex }) => odex !== null && (!ours || odex < ours.evaluations)),
+  )
+  const where = behind.map(({ label }) => label.toLowerCase()).join(' and ')
+  const lost =
+    behind.length === 0
+      ? 'odex is ahead nowhere.'
+      : `odex is ahead in places: ${where}. On a smooth motion it raises its order with its step, and each of its estimates is a by-product of the step. A doubled step takes three steps of one fixed order for two that are kept, and keeps the error *for each second* where odex keeps it for each step.`
+  return `${lost} Where friction turns round or the track changes its bend, odex has to find the jump by refusing steps until they are short; ours locates it, and goes on from there in long ones.`
 }
 
 /** A diagram of the report as an image below its title, by its file's name. */

@@ -77,6 +77,22 @@ export function cheapestWays({ frontiers }: Report): Table {
   }
 }
 
+/** What methods that choose their own steps spend on an error. */
+export function controlledWays({ controlled }: Report): Table {
+  return {
+    title: 'Steps of their own choice: evaluations for one simulated second',
+    head: ['', 'ours, to tolerance', 'odex', 'who is ahead'],
+    rows: controlled.flatMap(({ label, at }) =>
+      at.map(({ error, ours, odex }) => [
+        `${label}, ${metres(error)}`,
+        ours ? `${plain(ours.evaluations)} (${ours.label})` : '–',
+        odex === null ? '–' : plain(odex),
+        ahead('evaluations', ours?.evaluations, odex ?? undefined).replace('evaluations: ', ''),
+      ]),
+    ),
+  }
+}
+
 function ahead(what: string, own: number | undefined, odex: number | undefined): string {
   if (own === undefined || odex === undefined)
     return `${what}: ${own === undefined ? (odex === undefined ? 'nobody gets there' : 'odex') : 'ours'}`

@@ -2,6 +2,7 @@ import type { Report } from '../schema/index.ts'
 import { plainTable } from './markdown.ts'
 import {
   cheapestWays,
+  controlledWays,
   engineErrors,
   engineTimes,
   frameTable,
@@ -17,6 +18,7 @@ export function terminalText(report: Report): string {
     frameTable(report),
     ...report.engineTests.clocks.map((clock) => engineErrors(report, [clock])),
     cheapestWays(report),
+    controlledWays(report),
     targetTable(report),
   ]
   const lists = [

@@ -12,7 +12,10 @@ import { attributes, escaped } from '../still/html.ts'
 import { placeOf } from './book.ts'
 import type { Env } from './book.ts'
 
-/** The hard cases: what to watch, every bound and what was measured, and links into the lab. A table for each kind. */
+/**
+ * The hard cases: what to watch, every bound and what was measured, and links into the lab. A table for each kind, folded to a
+ * line.
+ */
 export function hardCasesHtml(env: Env, line: number): string {
   const tables = groups.map(([name, numbers]) => {
     const cases = hardCases.filter(({ group }) => numbers.includes(group))
@@ -20,11 +23,13 @@ export function hardCasesHtml(env: Env, line: number): string {
     const label = attributes({ 'data-label': `Hard cases: ${name}` })
     const id = `hard-cases-${name.toLowerCase().replaceAll(' ', '-')}`
     env.book.give(id, placeOf(env, line))
-    return `<h3 id="${id}"><a href="#${id}">${escaped(name)}</a></h3>
+    const claims = cases.flatMap((each) => Object.keys(hardCaseClaims[each.id]!)).length
+    return `<details><summary><h3 id="${id}">${escaped(name)}</h3>
+<span class="counts">${cases.length} cases, ${claims} numbers</span></summary>
 <div class="table"${label}><table>
 <thead><tr><th scope="col">Quantity</th><th scope="col">Bound</th><th scope="col">Measured</th></tr></thead>
 ${cases.map((each) => caseHtml(each, presetsOf(each, name))).join('\n')}
-</table></div>`
+</table></div></details>`
   })
   return `<div class="hard-cases">\n${tables.join('\n')}\n</div>\n`
 }

@@ -5,6 +5,7 @@ import { fromForces } from './fromForces.ts'
 import { paper } from './paper.ts'
 import { realFrames } from './realFrames.ts'
 import { stopping } from './stopping.ts'
+import { tolerance } from './tolerance.ts'
 import { toPosition } from './toPosition.ts'
 import { whatMoves } from './whatMoves.ts'
 import { whatToUse } from './whatToUse.ts'
@@ -17,6 +18,7 @@ const all = {
   ...stopping,
   ...realFrames,
   ...energy,
+  ...tolerance,
   ...whatToUse,
   ...paper,
 }

@@ -1,18 +1,22 @@
 import { describe, expect, test } from 'vitest'
 import { costKinds, diagramCurves } from '../../../src/panels/measures/points.ts'
 import { layOut, nearestSpot } from '../../../src/panels/measures/diagramLayout.ts'
-import { advice, leastError, pointWords } from '../../../src/panels/measures/diagramWords.ts'
+import {
+  advice,
+  leastError,
+  pointName,
+  pointWords,
+} from '../../../src/panels/measures/diagramWords.ts'
 import { decadeText, roughSize, sizeText } from '../../../src/chart/magnitudes.ts'
 import { logScale } from '../../../src/chart/axis.ts'
-import { sweep, sweepMethods, sweepRates } from '../../../src/measure/index.ts'
+import { sweep, sweepMethods, sweepRates, sweepTolerances } from '../../../src/measure/index.ts'
 import { integrators } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
 
-function curvesOf(experiment: Experiment) {
-  const swept = [...sweep({ experiment, methods: sweepMethods, rates: sweepRates })]
+function curvesOf(experiment: Experiment, tolerances: readonly number[] = []) {
+  const swept = [...sweep({ experiment, methods: sweepMethods, rates: sweepRates, tolerances })]
   return diagramCurves(
     swept.filter((curve) => curve !== undefined),
-    sweepRates,
     ({ evaluations }) => evaluations,
   )
 }
@@ -63,9 +67,28 @@ describe('the layout', () => {
         }
         expect(labelY).toBeLessThanOrEqual(layout.bottom)
       }
-      const labels = layout.drawn.map(({ labelY }) => labelY).sort((a, b) => a - b)
+      const labels = layout.drawn.map(({ labelY }) => labelY!).sort((a, b) => a - b)
       labels.slice(1).forEach((y, i) => expect(y - labels[i]!).toBeGreaterThan(16.9))
     }
+  })
+
+  test('has a curve by tolerance for each method that can be asked, with the name and the row of its method', () => {
+    const curves = curvesOf(
+      { scene: 'half-pipe', parameters: { position: 1.2 }, duration: 2 },
+      sweepTolerances,
+    )
+    const byTolerance = curves.filter(({ by }) => by === 'tolerance')
+    expect(byTolerance).toHaveLength(integrators.length)
+    for (const { method, points } of byTolerance) {
+      const { order, orderWithSpeed } = integrators.find(({ id }) => id === method)!
+      expect(points).toHaveLength(Math.min(8, 4 * Math.min(order, orderWithSpeed) - 2))
+      // What is asked for is what comes, give or take: the tolerance for each of two seconds.
+      for (const { error, setting } of points) expect(error).toBeLessThan(10 * 2 * setting)
+    }
+    const layout = layOut(curves, { width: 1000, height: 430 })
+    expect(layout.drawn.filter(({ labelY }) => labelY !== undefined)).toHaveLength(
+      integrators.length,
+    )
   })
 
   test('finds the point under a finger', () => {
@@ -78,7 +101,7 @@ describe('the layout', () => {
 
 describe('the words', () => {
   test('name the cheapest way to an error, each way once', () => {
-    expect(advice(kick).map(({ error, point }) => [error, point.method, point.rate])).toEqual([
+    expect(advice(kick).map(({ error, point }) => [error, point.method, point.setting])).toEqual([
       ['no error but rounding', 'velocity-verlet', 5],
     ])
     const found = advice(pipe)
@@ -91,6 +114,23 @@ describe('the words', () => {
         if (other.cost < point.cost) expect(other.error).toBeGreaterThan(1e-3)
     }
     expect(leastError(kick)).toBeLessThan(1e-11)
+  })
+
+  test('name a tolerance where it is the cheapest', () => {
+    // Short and quick: a step that is good for the start is far too short for the rest.
+    const dive = curvesOf(
+      {
+        scene: 'fall',
+        parameters: { drag: 10, speed: 12 },
+        duration: 5,
+      },
+      [1e-3, 1e-6, 1e-9],
+    )
+    const found = advice(dive)
+    expect(found.some(({ point }) => point.by === 'tolerance')).toBe(true)
+    const point = dive.at(-1)!.points.at(-1)!
+    expect(pointName(point)).toBe('Implicit midpoint to 1\u202fµm a second')
+    expect(pointName(dive[0]!.points[0]!)).toBe('Explicit Euler at 5 steps a second')
   })
 
   test('of a point', () => {

@@ -42,10 +42,9 @@ function curvesOf(
 ) {
   const { parameters, duration } = openingOf(scene)
   const experiment = { scene, parameters, duration } as Experiment
-  const swept = [...sweep({ experiment, methods: sweepMethods, rates: sweepRates })]
+  const swept = [...sweep({ experiment, methods: sweepMethods, rates: sweepRates, tolerances: [] })]
   return diagramCurves(
     swept.filter((curve) => curve !== undefined),
-    sweepRates,
     cost,
   )
 }
@@ -66,7 +65,7 @@ describe('a runner of the lab', () => {
     }
     const own = pipe.find(({ method }) => method === 'midpoint')!
     const [{ point }] = placed as [(typeof placed)[number]]
-    expect(own.points.find(({ rate }) => rate === 30)).toMatchObject({
+    expect(own.points.find(({ setting }) => setting === 30)).toMatchObject({
       error: point!.error,
       cost: point!.cost,
       whole: true,
@@ -148,7 +147,7 @@ describe('in the picture', () => {
     const { drawn, rings } = layout
     const { x, y } = drawn
       .find(({ curve }) => curve.method === 'midpoint')!
-      .spots.find(({ point }) => point.rate === 30)!
+      .spots.find(({ point }) => point.setting === 30)!
     expect(rings[0]!.x).toBeCloseTo(x, 9)
     expect(rings[0]!.y).toBeCloseTo(y, 9)
     // What is exact to rounding has its method's row.

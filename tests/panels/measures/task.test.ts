@@ -10,6 +10,7 @@ const request: SweepRequest = {
   experiment: { scene: 'ramp', duration: 0.5 },
   methods: ['velocity-verlet', 'rk4'],
   rates: [10, 20, 30],
+  tolerances: [1e-3, 1e-6],
 }
 const map: MapRequest = {
   ...{ experiment: { scene: 'ramp', duration: 0.5 }, of: 'error', parameter: 'angle' },
@@ -38,6 +39,7 @@ describe('a task', () => {
     [{ kind: 'dance', request: {} }, '“dance” is nothing that can be measured.'],
     [{ kind: 'sweep', request: { ...request, rates: [0] } }, 'A rate: 0 is not in 1…1000.'],
     [{ kind: 'sweep', request: { ...request, rates: 7 } }, 'The rates are not a list'],
+    [{ kind: 'sweep', request: { ...request, tolerances: [1] } }, 'A tolerance: 1 is not in'],
     [{ kind: 'timing', request: { ...request, methods: ['rk5'] } }, '“rk5” is not one of'],
     [
       { kind: 'sweep', request: { ...request, experiment: { scene: 'ramp', duration: -1 } } },
