@@ -129,7 +129,7 @@ describe('the words', () => {
     const found = advice(dive)
     expect(found.some(({ point }) => point.by === 'tolerance')).toBe(true)
     const point = dive.at(-1)!.points.at(-1)!
-    expect(pointName(point)).toBe('Implicit midpoint to 1\u2009µm a second')
+    expect(pointName(point)).toBe('Implicit midpoint to 1\u202fµm a second')
     expect(pointName(dive[0]!.points[0]!)).toBe('Explicit Euler at 5 steps a second')
   })
 
