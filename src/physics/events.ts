@@ -10,6 +10,8 @@ type Event = 'turn' | 'joint' | 'take-off'
 
 const MOST_HALVINGS = 60
 const MOST_ITERATIONS = 100
+// To a joint at s = 0 that is nearer, a step would be of denormal length, with next to no digits [m].
+const NEAREST = 1e-300
 // What rounding may leave of a residual whose terms have a size of one: the few hundred operations of a step each add an ulp.
 const ROUNDING = 1000 * Number.EPSILON
 
@@ -136,23 +138,17 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   const size = sizeOf(event, motion)
   const small = Number.EPSILON * Math.max(size, before)
   const limit = ROUNDING * Math.max(size, before, event === 'turn' ? fastest(motion) : 0)
-  // Its press is 0 to begin with, and falls.
-  if (event === 'take-off' && before <= 0) {
+  // Its press is 0 to begin with, and falls; or the joint is at hand already.
+  if (event === 'take-off' ? before <= 0 : event === 'joint' && before < NEAREST) {
     motion.dt = 0
     return true
   }
   // A block that has just set off is at v = 0 to begin with: the turn is the one after that.
   for (let i = 0; before <= 0; i++) {
     if (i === MOST_HALVINGS) return false
-    retake(motion, integrator, 0.5 * late)
-    const here = residual(event, motion)
-    if (here > 0) {
-      early = motion.dt
-      before = here
-    } else {
-      late = motion.dt
-      after = here
-    }
+    early = 0.5 * (i === 0 ? late : early)
+    retake(motion, integrator, early)
+    before = residual(event, motion)
   }
   let lastSide = 0
   for (let i = 1; i <= MOST_ITERATIONS; i++) {

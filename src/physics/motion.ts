@@ -146,12 +146,10 @@ export class Motion {
     // #endregion
   }
 
-  /** Sets `press` to the normal force per mass where the block is now. */
+  /** Sets `press` to the normal force per mass where the block is now, on a bend. */
   findPress(): void {
-    if (this.curvature !== 0) {
-      this.atS = this.s
-      this.turn()
-    }
+    this.atS = this.s
+    this.turn()
     this.press = this.weight + this.curvature * (this.v * this.v)
   }
 

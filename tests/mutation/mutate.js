@@ -1,7 +1,7 @@
 /*
  * Mutation testing of src/physics: changes the code in thousands of small ways and asks the tests about each. It works
  * on a copy, in which `as const` is taken away: Stryker leaves alone what stands before it, and here that is every
- * integrator. Arguments go to Stryker, e.g. `npm run mutate -- --mutate src/physics/settle.ts`.
+ * integrator. Arguments go to Stryker, e.g. `npm run mutate -- --mutate src/physics/step.ts`.
  */
 import { spawnSync } from 'node:child_process'
 import {

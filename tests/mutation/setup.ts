@@ -34,11 +34,9 @@ if (!shared.endsSet) {
   shared.endsSet = true
   // Not before the coverage is cleared: what runs while the sources are read counts.
   const { prototype } = (await import('../../src/physics/frameLoop.ts')).FrameLoop
-  const { get } = Object.getOwnPropertyDescriptor(prototype, 'goesOn')!
-  Object.defineProperty(prototype, 'goesOn', {
-    get(this: FrameLoop): unknown {
-      if (this.run.frames > MOST_FRAMES) throw new Error('The run has no end.')
-      return get!.call(this)
-    },
-  })
+  const next = Object.getOwnPropertyDescriptor(prototype, 'next')!.value as () => boolean
+  prototype.next = function (this: FrameLoop): boolean {
+    if (this.run.frames > MOST_FRAMES) throw new Error('The run has no end.')
+    return next.call(this)
+  }
 }

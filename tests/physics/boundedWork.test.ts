@@ -6,12 +6,12 @@ import type { Experiment, Outcome } from '../../src/physics/index.ts'
 
 /**
  * The most evaluations that an accepted experiment may take: 5 000 000 steps, which is the most that are accepted, of eleven
- * each, and the events among them three times as much. At 10 to 20 ns each it is some seconds.
+ * each, and the events among them three times as much. At 10 to 20 ns each it is some seconds on an idle machine.
  */
 const MOST_EVALUATIONS = 2e8
 
-/** A run that is not over then is stopped by force, so that a failure does not take an hour [ms]. */
-const PATIENCE = 20_000
+/** A run that hangs is stopped by force, so that a failure does not take an hour; no busy machine needs as long [ms]. */
+const PATIENCE = 280_000
 
 type Answer =
   { refused: string } | { evaluations: number; outcome: Outcome['kind'] } | { stoppedAfter: number }

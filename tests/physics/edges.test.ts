@@ -1,5 +1,11 @@
 /** Steps at the edge of a case: that begin where they end, that turn without friction, that leave by the other side. */
 import { describe, expect, it } from 'vitest'
+import { lawOf } from '../../src/physics/law.ts'
+import { rk4 } from '../../src/physics/integrators/rk4.ts'
+import { Motion } from '../../src/physics/motion.ts'
+import { advance } from '../../src/physics/step.ts'
+import { located } from '../../src/physics/stopping/located.ts'
+import { straight } from '../../src/physics/track.ts'
 import { simulate, traceFrame } from '../../src/physics/index.ts'
 import type { Experiment } from '../../src/physics/index.ts'
 import { last } from './truth.ts'
@@ -102,5 +108,23 @@ describe('friction that takes the sign of each speed it is asked about', () => {
     })
     // g sin(s/R) Δt, and nothing of μ.
     expect(last(v)).toBeCloseTo(side * 9.81 * Math.sin(0.5) * 0.1, 14)
+  })
+})
+
+describe('a block released at the very end of a track', () => {
+  it('that goes downhill beyond leaves it there and then', () => {
+    const motion = new Motion(lawOf([straight(30, 0)], { gravity: 9.81 }), 0, 0, true)
+    motion.dt = 0.1
+    advance(motion, rk4, located)
+    expect(motion).toMatchObject({ s: 0, v: 0, outcome: 'left-the-track', elapsed: 0, dt: 0.1 })
+  })
+
+  it('that goes uphill beyond slides back', () => {
+    const motion = new Motion(lawOf([straight(-30, 0)], { gravity: 9.81 }), 0, 0, true)
+    motion.dt = 0.1
+    advance(motion, rk4, located)
+    expect(motion.moving).toBe(true)
+    expect(motion.v).toBeCloseTo(-0.4905, 12)
+    expect(motion.elapsed).toBe(0.1)
   })
 })

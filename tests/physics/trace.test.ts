@@ -157,6 +157,41 @@ describe('the trace of a frame', () => {
     expect(all).toContain(undefined)
   })
 
+  it('shows where a block takes off, and where a step was halved that no air could brake so', () => {
+    const ends = (experiment: Experiment) =>
+      traceFrame(experiment, 1).flatMap(({ stretches }) => stretches.map((each) => each.ends))
+    const frames = { kind: 'steady', fps: 2 } as const
+    const parameters = { angle: 20, crestRadius: 3, position: 1.1, speed: 5.3 }
+    expect(ends({ scene: 'crest', parameters, frames })).toEqual(['take-off'])
+    const dive = { drag: 1, speed: 100 }
+    expect(
+      ends({ scene: 'fall', parameters: dive, integrator: 'explicit-euler', frames }),
+    ).toContain('halved')
+  })
+
+  it('shows each try of a step to a tolerance, what was taken back, and why', () => {
+    const pipe: Experiment = {
+      ...{ scene: 'half-pipe', integrator: 'rk4', frames: { kind: 'steady', fps: 2 }, duration: 1 },
+      timestep: { kind: 'tolerance', tolerance: 1e-8 },
+    }
+    const steps = traceFrame(pipe, 1)
+    const attempts = new Set(steps.map(({ attempt }) => attempt!))
+    expect(new Set([...attempts].map(({ accepted }) => accepted))).toEqual(new Set([true, false]))
+    for (const attempt of attempts) {
+      const { error, allowed, accepted } = attempt
+      expect(error <= allowed).toBe(accepted)
+      // The whole and its two halves; only of an attempt that was accepted the halves are kept.
+      const [whole, ...halves] = steps.filter((step) => step.attempt === attempt)
+      expect(halves.map(({ dt }) => dt)).toEqual([whole!.dt / 2, whole!.dt / 2])
+      expect(whole!.takenBack).toBe(true)
+      expect(halves.map(({ takenBack }) => takenBack)).toEqual([!accepted, !accepted])
+    }
+    const kept = steps.filter(({ takenBack }) => !takenBack)
+    expect(kept.reduce((sum, { dt }) => sum + dt, 0)).toBeCloseTo(0.5, 12)
+    for (const [i, { from }] of kept.slice(1).entries()) expect(from).toEqual(kept[i]!.to)
+    expect(kept.at(-1)!.to.s).toBe(simulate(pipe).s[1])
+  })
+
   it('refuses a frame that the run does not have', () => {
     expect(() => traceFrame({ scene: 'ramp', duration: 1 }, 61)).toThrow(
       /no frame 61; its frames are 1 to 60/,
