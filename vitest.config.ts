@@ -22,7 +22,7 @@ export default defineConfig({
         test: {
           name: 'unit',
           include: ['tests/**/*.test.ts'],
-          exclude: ['tests/site/**', '**/node_modules/**'],
+          exclude: ['tests/site/**', 'tests/browsers/**', '**/node_modules/**'],
           // Tests that watch the heap call gc(); only a process, not a worker thread, takes the flag.
           pool: 'forks',
           // A young generation of 64 MB, so that what a million steps allocate is not collected before it is counted.

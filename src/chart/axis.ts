@@ -46,7 +46,7 @@ export function linearAxis(from: number, to: number, unit: string, padded = true
       const decimals = decimalsOf(step)
       return values.map((at) => {
         const number = decimals > 4 || Math.abs(at) >= 1e5 ? plain(at) : fixed(at, decimals)
-        return { at, label: `${number}\u2009${unit}` }
+        return { at, label: `${number}\u202f${unit}` }
       })
     },
   }

@@ -2,7 +2,7 @@ import { fixed, metres, plain, superscript } from './numbers.ts'
 
 /** Numbers over many powers of ten, as axes, tables and arithmetic write them. */
 
-const thin = '\u2009'
+const thin = '\u202f'
 
 /** The exponent of the smallest power of ten that is not below a positive value. */
 export function decadeAbove(value: number): number {

@@ -3,7 +3,7 @@
  */
 
 const minus = '−'
-const thin = '\u2009'
+const thin = '\u202f'
 
 /** “0.41 m”, “1.2 mm”; of a difference without its rounding, “0 (to rounding)”. */
 export function metres(value: number): string {

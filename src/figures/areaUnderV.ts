@@ -114,7 +114,7 @@ export function gapsOf(run: Trajectory, method: keyof typeof ahead) {
 }
 
 function metresText(value: number): string {
-  return `${fixed(value, 3)}\u2009m`
+  return `${fixed(value, 3)}\u202fm`
 }
 
 function signed(value: number): string {

@@ -65,7 +65,7 @@ export const fallingBall = figure({
 
 /** “2.5 times”, or “8.3 %” where it is little more than once. */
 function times(rate: number): string {
-  return rate < 1.1 ? `${plain(100 * (rate - 1))}\u2009%` : `${Number(rate.toPrecision(2))} times`
+  return rate < 1.1 ? `${plain(100 * (rate - 1))}\u202f%` : `${Number(rate.toPrecision(2))} times`
 }
 
 function draw(surface: DrawingSurface, { values, runs, time }: View<FallValues>): void {

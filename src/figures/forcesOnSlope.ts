@@ -99,7 +99,7 @@ function force(label: string, value: number, colour: string): Reading {
 }
 
 function newtons(value: number): string {
-  return `${fixed(value, 2)}\u2009N`
+  return `${fixed(value, 2)}\u202fN`
 }
 
 /** At the beginning of the run. */

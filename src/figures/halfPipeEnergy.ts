@@ -88,7 +88,7 @@ export const halfPipeEnergy = figure({
 
 /** “+84 %”, “−1.3 × 10⁻⁶ %”. */
 function percent(part: number): string {
-  return `${part > 0 ? '+' : ''}${plain(Number((100 * part).toPrecision(2)))}\u2009%`
+  return `${part > 0 ? '+' : ''}${plain(Number((100 * part).toPrecision(2)))}\u202f%`
 }
 
 function drawEnergy(surface: DrawingSurface, { values, runs, time }: View<EnergyValues>): void {

@@ -108,7 +108,7 @@ function draw(
   write(context, `${mass} kg`, right, low - 40, { align: 'right' })
   context.font = `13px ${palette.sans}`
   context.fillStyle = palette.ink
-  write(context, `ΣF = ${fixed(length(sum), 2)}\u2009N`, right, low - 20, { align: 'right' })
-  const a = `a = ΣF / m = ${fixed(length(acceleration), 2)}\u2009m/s²`
+  write(context, `ΣF = ${fixed(length(sum), 2)}\u202fN`, right, low - 20, { align: 'right' })
+  const a = `a = ΣF / m = ${fixed(length(acceleration), 2)}\u202fm/s²`
   write(context, a, right, low, { align: 'right' })
 }

@@ -53,8 +53,8 @@ export const twoBecomeOne = figure({
   ],
   says: (_, [run]) => {
     const { gravity, normal, friction, sum, along, across } = forcesIn(run!)
-    const newtons = (value: number) => `${fixed(Math.abs(value), 2)}\u2009N`
-    return `Across the slope: ${newtons(product(gravity, across))} of gravity against ${newtons(length(normal))} of N, which leaves nothing. Along it: ${newtons(product(gravity, along))} of pull and ${newtons(length(friction))} of friction, which leaves ${fixed(product(sum, along), 2)}\u2009N. One number is enough.`
+    const newtons = (value: number) => `${fixed(Math.abs(value), 2)}\u202fN`
+    return `Across the slope: ${newtons(product(gravity, across))} of gravity against ${newtons(length(normal))} of N, which leaves nothing. Along it: ${newtons(product(gravity, along))} of pull and ${newtons(length(friction))} of friction, which leaves ${fixed(product(sum, along), 2)}\u202fN. One number is enough.`
   },
 })
 

@@ -59,11 +59,16 @@ export class SlideStage extends LitElement {
       this.stage.refresh()
       this.requestUpdate()
     }
+    const recolour = () => {
+      redraw()
+      // At once: before it prints, Firefox runs no microtask.
+      if (this.hasUpdated) this.draw()
+    }
     const sizes = new ResizeObserver(redraw)
     sizes.observe(this.canvas)
     // A deck of slides scales them to the window.
     addEventListener('resize', redraw)
-    const stopStyles = onRestyle(redraw)
+    const stopStyles = onRestyle(recolour)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       stopTime()

@@ -45,6 +45,6 @@ export {
   tolerantExperiment,
 } from './sweep.ts'
 export type { Settings, SweepCurve, SweepRequest, TimedCurve } from './sweep.ts'
-export { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
+export { evaluationsPerSecond, nanosecondsPerSecond, tickOf } from './work.ts'
 export type { Clock } from './work.ts'
 export { withParameters } from './withParameters.ts'

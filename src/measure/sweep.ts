@@ -3,7 +3,7 @@ import type { Experiment, Integrator, IntegratorId, Outcome } from '../physics/i
 import { presentationErrorSizes } from './error.ts'
 import { fittedOrder } from './order.ts'
 import { scaleOf, withoutRounding } from './rounding.ts'
-import { evaluationsPerSecond, nanosecondsPerSecond } from './work.ts'
+import { evaluationsPerSecond, nanosecondsPerSecond, tickOf } from './work.ts'
 import type { Clock } from './work.ts'
 
 /** What is swept: methods × step lengths and tolerances, everything else as in the experiment. */
@@ -39,9 +39,12 @@ export interface SweepCurve extends Settings {
   readonly scale: number
 }
 
-/** How long a simulated second takes with a method, a number for each of its settings [ns]. */
+/** How long a simulated second takes with a method, numbers for each of its settings [ns]. */
 export interface TimedCurve extends Settings {
+  /** The least of the rounds so far: what the work takes undisturbed. */
   readonly nanoseconds: Float64Array
+  /** The most of them. */
+  readonly slowest: Float64Array
 }
 
 export const outcomeKinds: readonly Outcome['kind'][] = [
@@ -73,6 +76,9 @@ export const sweepMethods: readonly IntegratorId[] = integrators.map(({ id }) =>
 
 /** How often the time of each point is taken: the least of them counts. */
 export const TIMED_ROUNDS = 6
+
+/** A clock that ticks more seldom is not worth waiting for [ms]: a sweep would take a quarter of an hour. */
+const COARSEST_TICK = 2
 
 /** An order is fitted to the finest so many points above rounding, and to no fewer than three. */
 const FITTED = 6
@@ -144,24 +150,39 @@ export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined>
  * Takes the time of each point of a sweep, curve by curve, and all of it again: what disturbs one round does not
  * disturb the next in the same place. It yields as `sweep` does, each curve as often as there are rounds.
  *
- * @throws ExperimentError for an experiment that can't be run
+ * @throws ExperimentError for an experiment that can't be run, RangeError where the clock is too coarse
  */
 export function* timedSweep(
   request: SweepRequest,
   clock: Clock,
 ): Generator<TimedCurve | undefined> {
   const curves = curvesOf(request)
-  const least = curves.map(({ settings }) => new Float64Array(settings.length).fill(Infinity))
+  const tick = tickOf(clock)
+  if (tick > COARSEST_TICK) throw new RangeError(coarseClock(tick))
+  const columns = (value: number) =>
+    curves.map(({ settings }) => new Float64Array(settings.length).fill(value))
+  const least = columns(Infinity)
+  const most = columns(0)
   for (let round = 0; round < TIMED_ROUNDS; round++)
     for (const [c, curve] of curves.entries()) {
       const nanoseconds = least[c]!
+      const slowest = most[c]!
       const { settings } = curve
       for (const [i, setting] of settings.entries()) {
         const experiment = experimentAt(request, curve, setting)
-        nanoseconds[i] = Math.min(nanoseconds[i]!, nanosecondsPerSecond(experiment, clock))
-        yield i === settings.length - 1 ? { ...curve, nanoseconds: nanoseconds.slice() } : undefined
+        const taken = nanosecondsPerSecond(experiment, clock, tick)
+        nanoseconds[i] = Math.min(nanoseconds[i]!, taken)
+        slowest[i] = Math.max(slowest[i]!, taken)
+        yield i === settings.length - 1
+          ? { ...curve, nanoseconds: nanoseconds.slice(), slowest: slowest.slice() }
+          : undefined
       }
     }
+}
+
+function coarseClock(tick: number): string {
+  const how = Number.isFinite(tick) ? `ticks only every ${tick.toFixed(1)}\u202fms` : 'stands'
+  return `This browser’s clock ${how}, too coarse to time a run. Evaluations are shown instead.`
 }
 
 /** A point stands for a whole run: one that left the track or blew up, or has no truth to be held to, does not count. */

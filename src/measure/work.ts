@@ -4,34 +4,60 @@ import type { Experiment, Trajectory } from '../physics/index.ts'
 /** The time on some clock [ms]: `performance.now`, or a clock of a test. */
 export type Clock = () => number
 
-/** So long a measurement of time lasts at least [ms]: ten ticks of a clock that goes in tenths of milliseconds. */
+/** A measurement lasts at least so many ticks of its clock: it is right to 2 %. */
+const TICKS = 50
+
+/** And at least so long [ms], however finely the clock ticks: a shorter one is all interruptions. */
 const LONG_ENOUGH = 1
+
+/** So many ticks are looked at to find the length of one, in so many readings at most. */
+const TICKS_SEEN = 5
+const MOST_READINGS = 2_000_000
 
 /** So many runs are made ready at a time, before the clock is looked at. */
 const MOST_AT_ONCE = 256
 
 /** So many times that, and no more, however short the runs. */
-const MOST_BATCHES = 64
+const MOST_BATCHES = 1024
 
 /** Evaluations of the acceleration for each simulated second. NaN for a run of no length. */
 export function evaluationsPerSecond({ evaluations, time }: Trajectory): number {
   return evaluations / time[time.length - 1]!
 }
 
+/** The tick of a clock [ms]: the shortest step seen in a few. Infinity for a clock that stands. */
+export function tickOf(clock: Clock): number {
+  let tick = Infinity
+  let last = clock()
+  let seen = 0
+  for (let reading = 0; reading < MOST_READINGS && seen < TICKS_SEEN; reading++) {
+    const now = clock()
+    if (now === last) continue
+    tick = Math.min(tick, now - last)
+    last = now
+    seen++
+  }
+  return tick
+}
+
 /**
  * Time that one simulated second takes [ns], frame by frame as a game takes it: many runs of the experiment, made ready
  * before the clock is looked at. One measurement; the least of several is what the work takes without disturbance.
  *
- * @param clock what tells the time; it may tick coarsely
+ * @param clock what tells the time
+ * @param tick of the clock [ms], from `tickOf`
+ * @returns NaN where the work is over before the clock has ticked often enough
  * @throws ExperimentError for an experiment that can't be run
  */
-export function nanosecondsPerSecond(experiment: Experiment, clock: Clock): number {
+export function nanosecondsPerSecond(experiment: Experiment, clock: Clock, tick: number): number {
+  // The last of the fifty may be short by a rounding error.
+  const wanted = Math.max(LONG_ENOUGH, (TICKS - 0.5) * tick)
   const { time } = simulate(experiment)
   const frames = time.subarray(1).map((now, row) => now - time[row]!)
   let count = 1
   let runs = 0
   let elapsed = 0
-  for (let batch = 0; batch < MOST_BATCHES && elapsed < LONG_ENOUGH; batch++) {
+  for (let batch = 0; batch < MOST_BATCHES && elapsed < wanted; batch++) {
     const ready = Array.from({ length: count }, () => createRun(experiment))
     const start = clock()
     for (const run of ready) for (let i = 0; i < frames.length; i++) run.frame(frames[i]!)
@@ -39,5 +65,6 @@ export function nanosecondsPerSecond(experiment: Experiment, clock: Clock): numb
     runs += count
     count = Math.min(2 * count, MOST_AT_ONCE)
   }
+  if (elapsed < wanted) return NaN
   return (elapsed * 1e6) / (runs * time[time.length - 1]!)
 }

@@ -3,7 +3,7 @@ import { followReader } from './page/contents.ts'
 import { dial } from './page/dial.ts'
 import { openWhatIsSought } from './page/folds.ts'
 import { followLinks, highlight } from './page/figures.ts'
-import { layOutInTurn, lightOnPaper } from './page/layOut.ts'
+import { layOutInTurn } from './page/layOut.ts'
 import { tabs } from './page/tabs.ts'
 
 /* The text is there without any of this. */
@@ -21,6 +21,5 @@ all('.dial').forEach(dial)
 all('.code').forEach(copyButton)
 all('.take-home').forEach(tabs)
 reachable(all(':is(pre, .equation, .table)'))
-lightOnPaper()
 for (const text of all('.text')) openWhatIsSought(text)
 layOutInTurn(all('.text > section'))

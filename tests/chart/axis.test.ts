@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 import { errorAxis, linearAxis } from '../../src/chart/axis.ts'
 
 const labels = (list: readonly { label: string }[]) =>
-  list.map(({ label }) => label.replaceAll('\u2009', ' '))
+  list.map(({ label }) => label.replaceAll('\u202f', ' '))
 
 test('ticks are round, within the axis, and written with as many decimals as their step has', () => {
   expect(labels(linearAxis(0, 1, 's', false).ticks(5))).toEqual([

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { degrees, metres, place, plain, raw, seconds, speed } from '../../src/chart/numbers.ts'
 
-const ordinary = (text: string) => text.replaceAll('\u2009', ' ')
+const ordinary = (text: string) => text.replaceAll('\u202f', ' ')
 
 test.each([
   [0.41, '0.41 m'],

@@ -40,8 +40,8 @@ test('falling-ball: without delta time the clock runs fps / 60 times as fast', (
   }
   expect(set(fallingBall, { fps: 15 }).says).toContain('4 times too slow')
   expect(set(fallingBall, { fps: 120 }).says).toContain('2 times too fast')
-  expect(set(fallingBall, { fps: 59 }).says).toContain('1.69\u2009% too slow')
-  expect(set(fallingBall, { fps: 61 }).says).toContain('1.67\u2009% too fast')
+  expect(set(fallingBall, { fps: 59 }).says).toContain('1.69\u202f% too slow')
+  expect(set(fallingBall, { fps: 61 }).says).toContain('1.67\u202f% too fast')
   expect(last(set(fallingBall, { fps: 15, method: 'variable' }).runs[0]!.stateTime)).toBe(1)
 })
 
@@ -180,7 +180,7 @@ test('half-pipe-energy: explicit Euler gains until it is out, the others stay wi
   expect(says).toContain('thrown out')
   for (const integrator of ['semi-implicit-euler', 'velocity-verlet'])
     expect(set(halfPipeEnergy, { integrator }).says).toMatch(
-      /strays by .* to \+?[\d.]+\u2009%, swing/,
+      /strays by .* to \+?[\d.]+\u202f%, swing/,
     )
   const euler = set(halfPipeEnergy, { integrator: 'explicit-euler', fps: 60 })
   const [soon, late] = [60, 600].map((row) => {
@@ -189,9 +189,9 @@ test('half-pipe-energy: explicit Euler gains until it is out, the others stay wi
   })
   expect(late).toBeGreaterThan(10 * soon!)
   expect(euler.says).toContain(
-    `+${soon!.toFixed(1)}\u2009% after one second, and by +${late!.toFixed(0)}\u2009% after 10`,
+    `+${soon!.toFixed(1)}\u202f% after one second, and by +${late!.toFixed(0)}\u202f% after 10`,
   )
-  expect(set(halfPipeEnergy, { integrator: 'rk4' }).says).toMatch(/and by −[\d.]+\u2009% after 10/)
+  expect(set(halfPipeEnergy, { integrator: 'rk4' }).says).toMatch(/and by −[\d.]+\u202f% after 10/)
 })
 
 test('spring-limit: Verlet holds below 2 and not above, RK4 up to 2√2, the implicit rule always', () => {
@@ -205,7 +205,7 @@ test('spring-limit: Verlet holds below 2 and not above, RK4 up to 2√2, the imp
   expect(farthest('implicit-midpoint', 3)).toBeLessThan(1.01)
   expect(farthest('explicit-euler', 0.5)).toBeGreaterThan(2)
   const atLimit = (integrator: string) => set(springLimit, { integrator, omegaDt: 2 }).says
-  expect(atLimit('velocity-verlet')).toMatch(/at its very limit; .* got no further than 1\u2009m/)
+  expect(atLimit('velocity-verlet')).toMatch(/at its very limit; .* got no further than 1\u202fm/)
   expect(atLimit('semi-implicit-euler')).toMatch(/at its very limit; .* has grown to \d\d/)
 })
 
@@ -270,6 +270,6 @@ describe('step-to-tolerance', () => {
   test('a smaller tolerance takes more steps, and says so', () => {
     const [coarse, fine] = [-4, -7].map((exponent) => set(stepToTolerance, { exponent }))
     expect(fine!.runs[0]!.steps).toBeGreaterThan(3 * coarse!.runs[0]!.steps)
-    expect(fine!.says).toContain('Allowed: 100\u2009nm for each second.')
+    expect(fine!.says).toContain('Allowed: 100\u202fnm for each second.')
   })
 })

@@ -3,6 +3,7 @@ import {
   evaluationsPerSecond,
   isExact,
   nanosecondsPerSecond,
+  tickOf,
   orderOfCurve,
   outcomeKinds,
   presentationErrors,
@@ -120,14 +121,34 @@ describe('work', () => {
     let readings = 0
     // Goes on by a quarter of a millisecond whenever it is read: a batch of runs takes that.
     const clock = () => (readings++, (now += 0.25))
-    const perSecond = nanosecondsPerSecond({ ...pipe, duration: 2 }, clock)
+    const perSecond = nanosecondsPerSecond({ ...pipe, duration: 2 }, clock, 0.01)
     // Four batches, of one run, two, four and eight, of two seconds each: 1 ms for 30 s.
     expect(readings).toBe(8)
     expect(perSecond).toBeCloseTo(1e6 / 30, 6)
   })
 
-  it('is not measured for ever with a clock that stands', () => {
-    expect(nanosecondsPerSecond({ ...kick, duration: 0.1 }, () => 5)).toBe(0)
+  it.each([0.1, 1, 16.7])('the tick of a clock is found: %d ms', (tick) => {
+    let now = 0
+    expect(tickOf(() => tick * Math.floor((now += 0.01) / tick))).toBeCloseTo(tick, 9)
+  })
+
+  it('in time lasts fifty ticks of a clock of whole milliseconds', () => {
+    let real = 0
+    let told = 0
+    const clock = () => (told = Math.floor((real += 0.15)))
+    const perSecond = nanosecondsPerSecond({ ...kick, duration: 1 }, clock, 1)
+    expect(told).toBeGreaterThanOrEqual(50)
+    expect(perSecond).toBeGreaterThan(0)
+  })
+
+  it('is not measured with a clock that stands or hardly ticks', () => {
+    const small = { ...request(kick), methods: ['rk4'] as const, rates: [10] }
+    let now = 0
+    expect(nanosecondsPerSecond({ ...kick, duration: 0.1 }, () => 5, 1)).toBeNaN()
+    expect(() => [...timedSweep(small, () => 5)]).toThrow(/clock stands/)
+    expect(() => [...timedSweep(small, () => 16.7 * Math.floor((now += 0.01) / 16.7))]).toThrow(
+      /every 16.7.ms, too coarse/,
+    )
   })
 
   it('of a sweep is a positive time for each point', () => {
@@ -137,6 +158,9 @@ describe('work', () => {
     expect(parts).toHaveLength(2 * TIMED_ROUNDS)
     expect(parts.filter((part) => part !== undefined)).toHaveLength(TIMED_ROUNDS)
     expect(curve.method).toBe('rk4')
-    for (const value of curve.nanoseconds) expect(value).toBeGreaterThan(0)
+    for (const [i, value] of curve.nanoseconds.entries()) {
+      expect(value).toBeGreaterThan(0)
+      expect(curve.slowest[i]).toBeGreaterThanOrEqual(value)
+    }
   })
 })

@@ -66,7 +66,7 @@ test.each([{}, { colorScheme: 'dark' as const }, { width: 390 }])(
         '<slide-figure name="area-under-v"></slide-figure><p id="theirs">Text</p>',
       options,
     )
-    expect(await spread(page)).toBe('0.23\u2009m')
+    expect(await spread(page)).toBe('0.23\u202fm')
     await page.locator('slide-figure [live]').waitFor()
     const style = (selector: string, name: string) =>
       page
@@ -219,7 +219,7 @@ test('markup may come first or last, and stand in a shadow root', async () => {
   )
   await expect.poll(() => inner.locator('.spread output').innerText()).toMatch(/^0/)
   // Each has its own state.
-  expect(await spread(page)).toBe('0.23\u2009m')
+  expect(await spread(page)).toBe('0.23\u202fm')
   expect(problems).toEqual([])
 })
 

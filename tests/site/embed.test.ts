@@ -6,7 +6,7 @@ test('the figure is there, and nothing else', async () => {
   const { page, problems } = await openPage({ path: 'embed.html#angle=20' })
   for (const name of ['Play', 'Clamped', 'Located'])
     expect(await page.getByRole('button', { name }).isVisible()).toBe(true)
-  expect(await page.locator('.spread output').innerText()).toMatch(/^0\.\d\d\u2009m$/)
+  expect(await page.locator('.spread output').innerText()).toMatch(/^0\.\d\d\u202fm$/)
   expect(await page.getByRole('img').getAttribute('aria-label')).toContain('10 fps')
   for (const other of ['header', 'footer', 'slide-runner-row', '.parameters', '.scenes', '.tools'])
     expect(await page.locator(other).count(), other).toBe(0)
@@ -29,7 +29,7 @@ test('its address is that of the lab, and follows it', async () => {
 test('a bad address says what is wrong with it, above a figure that works', async () => {
   const { page } = await openPage({ path: 'embed.html#angle=200' })
   expect(await page.getByRole('alert').innerText()).toContain('200 is not in 0…90')
-  expect(await page.locator('.spread output').innerText()).toBe('0.23\u2009m')
+  expect(await page.locator('.spread output').innerText()).toBe('0.23\u202fm')
 })
 
 test('there is no script or style in the page itself, and the page around it shows through', async () => {

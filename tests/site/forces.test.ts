@@ -45,9 +45,9 @@ test('at first there are no arrows; the switch shows them and hides them again',
 test('the legend is that of the selected runner in the row that is shown', async () => {
   const { page, runner, time, figures, line } = await openForces()
   expect(await page.getByRole('heading', { name: 'Forces on the 10 fps block' }).count()).toBe(1)
-  expect(await line()).toContain('Static friction holds it: 2.54\u2009N of at most 4.74\u2009N')
-  expect(await figures('Friction')).toEqual(['2.54\u2009N', '−2.54\u2009N', '0.00\u2009N'])
-  expect(await figures('Sum')).toEqual(Array(3).fill('0.00\u2009N'))
+  expect(await line()).toContain('Static friction holds it: 2.54\u202fN of at most 4.74\u202fN')
+  expect(await figures('Friction')).toEqual(['2.54\u202fN', '−2.54\u202fN', '0.00\u202fN'])
+  expect(await figures('Sum')).toEqual(Array(3).fill('0.00\u202fN'))
 
   await runner(1).getByLabel('Integrator').focus()
   await time().fill('0.25')
@@ -67,7 +67,7 @@ test('the legend is that of the selected runner in the row that is shown', async
     expect(shown[2], name).toBeCloseTo(x * forces.across.x + y * forces.across.y, 1)
   }
   expect(parseFloat((await figures('Velocity'))[1]!.replace('−', '-'))).toBeCloseTo(v[7]!, 2)
-  expect(await line()).toMatch(/N = 0\.5 × 9\.48\u2009N = 4\.74\u2009N/)
+  expect(await line()).toMatch(/N = 0\.5 × 9\.48\u202fN = 4\.74\u202fN/)
 })
 
 test('a hidden runner shows nothing, and neither does a block that has left the track', async () => {

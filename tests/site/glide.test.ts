@@ -20,7 +20,7 @@ test('the blocks glide to where a button puts them, and end where they belong', 
   expect(await setMode(moving.page, 'no-delta-time')).toBe(true)
   // The figures do not wait.
   expect((await moving.state()).runners[0]!.timestep.kind).toBe('per-frame')
-  expect(await moving.spread()).toBe('0.95\u2009m')
+  expect(await moving.spread()).toBe('0.95\u202fm')
   const after = await moving.pixels()
   expect(after).not.toEqual(before)
   expect(await setMode(still.page, 'no-delta-time')).toBe(false)

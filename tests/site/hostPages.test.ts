@@ -13,7 +13,7 @@ test.each(['before', 'after'])('the module %s the markup', async (where) => {
   const head = where === 'before' ? '<script type="module" src="slide-lab.js"></script>' : ''
   const { page, problems } = await openHost(lab + figure, { head })
   await page.locator('slide-figure [live]').waitFor()
-  expect(await spread(page)).toBe('0.23\u2009m')
+  expect(await spread(page)).toBe('0.23\u202fm')
   expect(problems()).toEqual([])
 })
 
@@ -113,7 +113,7 @@ test('many on a page: each is its own, and none works when nothing moves', async
   await expect
     .poll(() => page.locator('slide-lab').nth(3).locator('.spread output').innerText())
     .toMatch(/^0/)
-  expect(await spread(page)).toBe('0.23\u2009m')
+  expect(await spread(page)).toBe('0.23\u202fm')
   for (const each of await page.locator('slide-figure').all()) {
     await each.scrollIntoViewIfNeeded()
     await each.locator('[live]').waitFor()
@@ -142,7 +142,7 @@ test('the module twice, from two places', async () => {
     head: '<script type="module" src="old/slide-lab.js"></script><script type="module" src="new/slide-lab.js?2"></script>',
   })
   await page.locator('slide-figure [live]').waitFor()
-  expect(await spread(page)).toBe('0.23\u2009m')
+  expect(await spread(page)).toBe('0.23\u202fm')
   expect(problems()).toEqual([])
 })
 
@@ -208,7 +208,7 @@ test.each(places)('%s, both are as anywhere', async (_, place, act) => {
   await where.locator('slide-figure [live] canvas').waitFor()
   expect(await where.locator('slide-lab, slide-figure').count()).toBe(2)
   await expect.poll(() => where.evaluate(areWhole)).toBe(true)
-  expect(await where.locator('.spread output').innerText()).toBe('0.23\u2009m')
+  expect(await where.locator('.spread output').innerText()).toBe('0.23\u202fm')
   expect(problems()).toEqual([])
 })
 

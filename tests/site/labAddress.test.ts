@@ -60,7 +60,7 @@ test('a bad link shows every problem, as text, above a lab that works', async ()
   expect(await alert.locator('img').count()).toBe(0)
   const [above, sheet] = [await alert.boundingBox(), await page.locator('.sheet').boundingBox()]
   expect(above!.y + above!.height).toBeLessThanOrEqual(sheet!.y)
-  expect(await lab.spread()).toBe('0.23\u2009m')
+  expect(await lab.spread()).toBe('0.23\u202fm')
   await lab.slider('Angle').fill('20')
   expect(await alert.count()).toBe(0)
   await lab.address(/^#angle=20$/)

@@ -96,8 +96,8 @@ test('the time slider goes to any instant, and errors and words follow', async (
   const lab = await openLab()
   await lab.time().fill('0.5')
   expect(await lab.page.locator('.transport .clock').innerText()).toBe('0.50 / 1.00 s')
-  expect(await lab.runner(0).locator('.now output').innerText()).toBe('−0.182\u2009m')
-  expect(await lab.runner(0).locator('.end output').innerText()).toBe('−0.246\u2009m')
+  expect(await lab.runner(0).locator('.now output').innerText()).toBe('−0.182\u202fm')
+  expect(await lab.runner(0).locator('.end output').innerText()).toBe('−0.246\u202fm')
   await expect
     .poll(() => lab.page.locator('slide-lab [aria-live]').textContent())
     .toContain('Ramp after 0.50')

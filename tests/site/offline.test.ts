@@ -71,7 +71,7 @@ const fonts = (page: Page) =>
 test('it needs no other file, has its fonts, and plays', async () => {
   expect(readdirSync(stick)).toEqual(['renamed and moved.html'])
   const { page, said, spread } = await openFile()
-  expect(await spread.innerText()).toBe('0.23\u2009m')
+  expect(await spread.innerText()).toBe('0.23\u202fm')
   // Those of formulas are asked for when their section is laid out.
   await expect.poll(() => fonts(page)).toEqual(['Inter', 'STIX Two Math', 'STIX Two Text'])
   const time = page.getByRole('slider', { name: 'Time' }).first()
@@ -92,7 +92,7 @@ test('what the lab shows is kept in the address, through a reload', async () => 
   await page.reload()
   await expect.poll(async () => [await hash(), await spread.innerText()]).toEqual(before)
   await page.getByRole('link', { name: 'Any Frame Rate' }).click()
-  await expect.poll(() => spread.innerText()).toBe('0.23\u2009m')
+  await expect.poll(() => spread.innerText()).toBe('0.23\u202fm')
   expect(said).toEqual([])
 })
 

@@ -47,7 +47,7 @@ async function watchOpening({
   return { page, samples }
 }
 
-const end = { time: 1, spread: '0.23\u2009m' }
+const end = { time: 1, spread: '0.23\u202fm' }
 
 /** The samples from the first that is not at the end. */
 const played = (samples: Sample[]) => {
@@ -67,7 +67,7 @@ test('the blocks run once, then the number counts up, and then nothing moves', a
   const numbers = seen.map(({ spread }) => parseFloat(spread))
   expect(numbers).toEqual([...numbers].sort((a, b) => a - b))
   expect(new Set(seen.filter(({ time }) => time < 1).map(({ spread }) => spread))).toEqual(
-    new Set(['0.00\u2009m']),
+    new Set(['0.00\u202fm']),
   )
   expect(new Set(numbers).size).toBeGreaterThan(2)
   expect(new Set(seen.map(({ places }) => places)).size).toBe(1)

@@ -69,10 +69,10 @@ test('what is plotted is what simulate gives, and follows a change', async () =>
 test('the cursor is that of the transport', async () => {
   const lab = await openPlots()
   expect(await lab.values('position')).toEqual([
-    '−1.47\u2009m',
-    '−1.64\u2009m',
-    '−1.70\u2009m',
-    '−1.72\u2009m',
+    '−1.47\u202fm',
+    '−1.64\u202fm',
+    '−1.70\u202fm',
+    '−1.72\u202fm',
   ])
   const cursor = await lab.pixelsOf('position', CURSOR)
   const chart = await lab.pixelsOf('position', CHART)
@@ -83,11 +83,11 @@ test('the cursor is that of the transport', async () => {
   await expect
     .poll(() => lab.values('position'))
     .toEqual([
-      '−1.41\u2009m',
-      ...[1, 2].map((i) => `−${Math.abs(runs[i]!.drawnS[i === 1 ? 15 : 60]!).toFixed(2)}\u2009m`),
-      `−${Math.abs(truth(0.5).s).toFixed(2)}\u2009m`,
+      '−1.41\u202fm',
+      ...[1, 2].map((i) => `−${Math.abs(runs[i]!.drawnS[i === 1 ? 15 : 60]!).toFixed(2)}\u202fm`),
+      `−${Math.abs(truth(0.5).s).toFixed(2)}\u202fm`,
     ])
-  expect(await lab.page.locator('.instant').innerText()).toBe('values at 0.500\u2009s')
+  expect(await lab.page.locator('.instant').innerText()).toBe('values at 0.500\u202fs')
   expect(await lab.pixelsOf('position', CURSOR)).not.toBe(cursor)
   // Only the cursor moved: the curves were not drawn again.
   expect(await lab.pixelsOf('position', CHART)).toBe(chart)
@@ -106,12 +106,12 @@ test('pointing at a plot shows every value of that time in all plots, and moves 
   const rows = [2, 7, 30].map((row, i) => runs[i]!.v[row]!.toFixed(2).replace('-', '−'))
   const speeds = await lab.values('speed')
   // The pointer is on a whole pixel, which may be just before a frame of the fastest.
-  expect(speeds.slice(0, 2)).toEqual(rows.slice(0, 2).map((each) => `${each}\u2009m/s`))
+  expect(speeds.slice(0, 2)).toEqual(rows.slice(0, 2).map((each) => `${each}\u202fm/s`))
   expect(Number.parseFloat(speeds[2]!.replace('−', '-'))).toBeCloseTo(runs[2]!.v[30]!, 0)
   expect(await lab.now()).toBe(1)
   expect(await box()).toEqual(before)
   await page.mouse.move(x, 5)
-  await expect.poll(() => lab.values('position')).toContain('−1.72\u2009m')
+  await expect.poll(() => lab.values('position')).toContain('−1.72\u202fm')
   await lab.plot('speed').locator('li').first().hover()
   expect(await lab.plot('speed').locator('li').first().getAttribute('title')).toContain(
     '10 fps: 0 m/s',
@@ -158,7 +158,7 @@ test('by keyboard: the arrow keys go from frame to frame, and the values are tol
   await expect
     .poll(() => told.textContent())
     .toBe(
-      `Speed at 0.17\u2009s: 10 fps −4.27\u2009m/s, 30 fps −3.79\u2009m/s, 120 fps −3.79\u2009m/s, exact −3.79\u2009m/s.`,
+      `Speed at 0.17\u202fs: 10 fps −4.27\u202fm/s, 30 fps −3.79\u202fm/s, 120 fps −3.79\u202fm/s, exact −3.79\u202fm/s.`,
     )
   expect(await lab.plot('position').locator('output').textContent()).toBe('')
 })
@@ -228,7 +228,7 @@ test('on a phone there is one plot at a time', async () => {
     .click()
   expect(await visible()).toEqual(['error'])
   await lab.plot('error').locator('canvas.chart').waitFor()
-  expect(await lab.values('error')).toEqual(['0.246\u2009m', '0.082\u2009m', '0.021\u2009m'])
+  expect(await lab.values('error')).toEqual(['0.246\u202fm', '0.082\u202fm', '0.021\u202fm'])
 })
 
 test('the energy residual of a fall with drag is drawn, and says that it counts the heat of drag', async () => {

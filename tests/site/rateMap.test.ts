@@ -59,7 +59,7 @@ describe('the frame-rate map', () => {
     expect(await lab.readOut()).toMatch(/^Of all runs, .* blows up/)
     await lab.area.focus()
     await press(lab.page, 'ArrowUp', 'Shift+ArrowLeft')
-    expect(await lab.readOut()).toMatch(/fps, stiffness \d+\u2009N\/m: the run /)
+    expect(await lab.readOut()).toMatch(/fps, stiffness \d+\u202fN\/m: the run /)
     await press(lab.page, 'Enter')
     await expect.poll(async () => (await lab.state()).parameters.stiffness).toBeGreaterThan(1000)
     await lab.page.locator('slide-rate-map summary').click()

@@ -48,7 +48,8 @@ export default async function setup(project: TestProject): Promise<() => Promise
       root,
       logLevel: 'error',
       build: { outDir },
-      preview: { host: '127.0.0.1', port: 0 },
+      // A sandboxed frame asks from no origin.
+      preview: { host: '127.0.0.1', port: 0, cors: true },
     })
     undo.push(() => server.close())
     project.provide('address', server.resolvedUrls!.local[0]!)

@@ -55,7 +55,7 @@ describe('speed against error', () => {
     expect(await cells.count()).toBe(
       sweepMethods.length * (sweepRates.length + sweepTolerances.length + opening.runners.length),
     )
-    expect(await cells.nth(0).innerText()).toMatch(/^0\.\d\d\u2009m\s+\d+$/)
+    expect(await cells.nth(0).innerText()).toMatch(/^0\.\d\d\u202fm\s+\d+$/)
     expect(await cells.nth(2).innerText()).toMatch(/^0 \(to rounding\)\s+7$/)
     expect(lab.problems).toEqual([])
   })

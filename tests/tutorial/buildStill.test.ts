@@ -130,7 +130,7 @@ describe('a still', () => {
     const still = labStill()
     expect(labStill()).toBe(still)
     expect(still).not.toMatch(/NaN|rgb\(/)
-    for (const text of ['exact · 1.72\u2009m', '10 fps · 1.47\u2009m', '120 fps · 1.70\u2009m'])
+    for (const text of ['exact · 1.72\u202fm', '10 fps · 1.47\u202fm', '120 fps · 1.70\u202fm'])
       expect(still).toContain(text)
     expect(still).toContain('color-mix(in srgb, var(--runner-0)')
   })

@@ -85,16 +85,16 @@ describe('figures', () => {
   })
 
   it.each([
-    [claim(), { atMost: 0.25 }, '≤\u20090.25\u2009m'],
+    [claim(), { atMost: 0.25 }, '≤\u202f0.25\u202fm'],
     [claim(), { atMost: 0 }, 'exactly 0'],
     [claim({ rounding: true }), { atMost: 1e-10 }, '0 (to rounding)'],
     [claim({ unit: 'm/s' }), { above: 0 }, 'more than 0'],
-    [claim(), { atLeast: 5 }, 'at least 5\u2009m'],
-    [claim({ unit: 's' }), { atLeast: 1, atMost: 5 }, '1\u2009s to 5\u2009s'],
-    [claim({ unit: 'things' }), { atLeast: 20000, atMost: 20000 }, 'exactly 20\u2009000'],
-    [claim({ unit: 'of the energy' }), { atMost: 0.01 }, '≤\u20091\u2009%'],
+    [claim(), { atLeast: 5 }, 'at least 5\u202fm'],
+    [claim({ unit: 's' }), { atLeast: 1, atMost: 5 }, '1\u202fs to 5\u202fs'],
+    [claim({ unit: 'things' }), { atLeast: 20000, atMost: 20000 }, 'exactly 20\u202f000'],
+    [claim({ unit: 'of the energy' }), { atMost: 0.01 }, '≤\u202f1\u202f%'],
     // What differs by roundings only is one figure.
-    [claim(), { atLeast: 0.00135, atMost: 0.00135 + 1e-17 }, '1.35\u2009mm'],
+    [claim(), { atLeast: 0.00135, atMost: 0.00135 + 1e-17 }, '1.35\u202fmm'],
   ])('bound %#', (of, bound, text) => {
     expect(boundText(of, bound)).toBe(text)
   })
@@ -102,8 +102,8 @@ describe('figures', () => {
   it('a value of rounding is 0, and one that is not keeps its digits', () => {
     expect(valueText(claim({ rounding: true }), 3e-15)).toBe('0 (to rounding)')
     expect(valueText(claim({ rounding: true }), 0)).toBe('0')
-    expect(valueText(claim(), 2.8e-9)).toBe('2.8\u2009nm')
-    expect(valueText(claim({ unit: 'J' }), 2)).toBe('2\u2009J')
+    expect(valueText(claim(), 2.8e-9)).toBe('2.8\u202fnm')
+    expect(valueText(claim({ unit: 'J' }), 2)).toBe('2\u202fJ')
   })
 
   it('a row says which run its figure is of, unless all are alike or it is named', () => {

@@ -53,7 +53,7 @@ function oneOf(control: Control, state: ControlState, value: Value, pick: Pick) 
 
 /** A number as the controls write it: “30 fps”. */
 export function quantityText({ unit = '' }: NumberControl, value: number): string {
-  const gap = unit === '' || unit === '°' ? '' : '\u2009'
+  const gap = unit === '' || unit === '°' ? '' : '\u202f'
   return plain(value) + gap + unit
 }
 
@@ -88,7 +88,7 @@ function choice(
   pick: Pick,
 ) {
   return html`<fieldset class="choice" ?disabled=${isIdle}>
-    <legend>${label}</legend>
+    <legend><span>${label}</span></legend>
     <div class="options">
       ${options.map(
         (option) =>

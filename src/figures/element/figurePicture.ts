@@ -59,6 +59,11 @@ class FigurePicture extends LitElement {
       forgetWidths()
       this.requestUpdate()
     }
+    const recolour = () => {
+      redraw()
+      // At once: before it prints, Firefox runs no microtask.
+      if (this.hasUpdated) this.draw()
+    }
     const sizes = new ResizeObserver(([entry]) => {
       const { width, height } = entry!.contentRect
       this.size = { width, height }
@@ -66,7 +71,7 @@ class FigurePicture extends LitElement {
     })
     sizes.observe(this)
     addEventListener('resize', redraw)
-    const stopStyles = onRestyle(redraw)
+    const stopStyles = onRestyle(recolour)
     const stopTime = this.playback.subscribe(this, 'draw', () => this.draw())
     this.stopWatching = () => {
       sizes.disconnect()

@@ -54,7 +54,7 @@ export function spreadText(spread: Spread, lengthText: (length: number) => strin
   const [first, last] = [fixed(earliest, 2), fixed(latest, 2)]
   return {
     value: apart === 0 ? length : seconds(apart),
-    remark: `left the track at ${first === last ? '' : `${first} to `}${last}\u2009s`,
+    remark: `left the track at ${first === last ? '' : `${first} to `}${last}\u202fs`,
     exact: apart === 0 && size === 0,
     title: `${title}; latest − earliest time of leaving the track: ${raw(latest - earliest)} s`,
   }

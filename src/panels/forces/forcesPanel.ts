@@ -140,7 +140,7 @@ export function frictionText(
   const { muStatic, muKinetic } = parameters
   if (muStatic === undefined || muKinetic === undefined) return ''
   const { friction, normal } = vectors
-  const newtons = (value: number) => `${quantity(value, largest)}\u2009N`
+  const newtons = (value: number) => `${quantity(value, largest)}\u202fN`
   const size = newtons(length(friction))
   if (vectors.frictionKind === 'held') {
     const most = muStatic * length(normal)

@@ -56,8 +56,11 @@ export function errorText({ error, outcome, whole }: DiagramPoint): string {
 }
 
 /** What a point says, in a sentence. */
-export function pointWords({ error, cost, outcome, whole }: DiagramPoint, kind: CostKind): string {
-  const price = `for ${kind.inWords(cost)}`
+export function pointWords(
+  { error, cost, mostCost, outcome, whole }: DiagramPoint,
+  kind: CostKind,
+): string {
+  const price = `for ${kind.inWords(cost, mostCost)}`
   if (outcome === 'left-the-track') return `left the track, ${price}`
   if (outcome === 'diverged') return `blew up, ${price}`
   if (!whole) return 'the true motion is not known here'
@@ -171,6 +174,6 @@ function cellAt(
 
 function cell(point: DiagramPoint, kind: CostKind) {
   return html`<td title="${raw(point.error)} m for ${raw(point.cost)}">
-    ${errorText(point)}<small>${kind.text(point.cost)}</small>
+    ${errorText(point)}<small>${kind.text(point.cost, point.mostCost)}</small>
   </td>`
 }

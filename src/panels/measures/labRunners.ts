@@ -43,9 +43,9 @@ export function labRunners(
     const why = whyNot(trajectory, shared) || (timed && !isTimed ? 'its time is not taken' : '')
     if (why) return { name, paletteIndex, why, point: undefined }
     const curve = timed?.find((each) => each.method === method && each.by === 'rate')
-    const cost = timed
-      ? (curve?.points.find((point) => point.setting === rate)?.cost ?? NaN)
-      : evaluationsPerSecond(trajectory)
+    const same = curve?.points.find((point) => point.setting === rate)
+    const cost = timed ? (same?.cost ?? NaN) : evaluationsPerSecond(trajectory)
+    const mostCost = same?.mostCost
     const largest = errors.get(trajectory) ?? presentationErrorSizes(trajectory).largest
     errors.set(trajectory, largest)
     const error = withoutRounding(largest, scaleOf(trajectory.experiment).length)
@@ -57,6 +57,7 @@ export function labRunners(
       by: 'rate',
       setting: rate,
       cost,
+      mostCost,
       error,
       outcome,
       whole,
@@ -69,7 +70,7 @@ export function labRunners(
 /** Why a run can't be held against the curves, whose steps are all of one length and whose seconds are the clock’s. */
 function whyNot({ experiment, lostTime }: Trajectory, { duration }: Shared): string {
   const { timestep, frames } = experiment
-  if (experiment.duration > duration) return `it runs longer than the curves’ ${duration}\u2009s`
+  if (experiment.duration > duration) return `it runs longer than the curves’ ${duration}\u202fs`
   const rate = 'fps' in frames ? frames.fps : NaN
   // Rounding aside, a step that is a frame's is the frame's time.
   const astray = timestep.kind === 'per-frame' && !(Math.abs(timestep.step * rate - 1) < 1e-9)

@@ -54,7 +54,7 @@ export function mapLegend(cells: MapCells, dark: boolean, limit: string) {
         ${ticks.map(
           (exponent, i) =>
             html`<span .style="left: ${(100 * i) / (ticks.length - 1)}%"
-              >${(high - exponent) % every === 0 ? `${exponent === HIGHEST ? '≥\u2009' : ''}${decadeText(exponent)}` : nothing}</span
+              >${(high - exponent) % every === 0 ? `${exponent === HIGHEST ? '≥\u202f' : ''}${decadeText(exponent)}` : nothing}</span
             >`,
         )}
       </div>
@@ -81,19 +81,25 @@ export function keepPainted(host: Host): void {
   /** What the image was painted from. */
   let painted: unknown[] = []
   let stopThemes = () => {}
+  const paint = () => {
+    const { cells } = host
+    const canvas = host.querySelector('canvas')
+    const palette = colours.read()
+    const wanted = [cells, cells.version, palette]
+    if (!canvas || wanted.every((each, i) => each === painted[i])) return
+    painted = wanted
+    paintMap(canvas, cells, palette, isDark(host))
+  }
   host.addController({
     hostConnected: () => {
-      stopThemes = onThemeChange(() => host.requestUpdate())
+      stopThemes = onThemeChange(() => {
+        host.requestUpdate()
+        // At once: before it prints, Firefox runs no microtask.
+        paint()
+      })
     },
     hostDisconnected: () => stopThemes(),
-    hostUpdated: () => {
-      const { cells } = host
-      const palette = colours.read()
-      const wanted = [cells, cells.version, palette]
-      if (wanted.every((each, i) => each === painted[i])) return
-      painted = wanted
-      paintMap(host.querySelector('canvas')!, cells, palette, isDark(host))
-    },
+    hostUpdated: paint,
   })
 }
 

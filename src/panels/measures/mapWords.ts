@@ -20,7 +20,7 @@ export function mappedOption({ experiment, parameter }: MapRequest): NumberOptio
 
 /** “Angle 15°”. */
 function valueText({ label, unit }: NumberOption, value: number): string {
-  return `${label} ${plain(value)}${unit && unit !== '°' ? '\u2009' : ''}${unit}`
+  return `${label} ${plain(value)}${unit && unit !== '°' ? '\u202f' : ''}${unit}`
 }
 
 /** “24.1 fps, angle 15.2°”. */

@@ -31,6 +31,8 @@ export class Measuring implements ReactiveController {
   private timer: ReturnType<typeof setTimeout> | undefined
   private frame: number | undefined
   private isVisible = false
+  /** Its button had the focus before the host was updated. */
+  private hadFocus = false
   private stopWatching = () => {}
 
   /** `take` is given what was measured; `fresh` says that it is the first of its task. */
@@ -49,6 +51,21 @@ export class Measuring implements ReactiveController {
       this.look()
     })
     document.addEventListener('visibilitychange', this.look)
+  }
+
+  hostUpdate(): void {
+    this.hadFocus = this.button?.matches(':focus') ?? false
+  }
+
+  /** A button that goes while it has the focus leaves it to the one in its place, or to the words. */
+  hostUpdated(): void {
+    if (!this.hadFocus || this.button?.matches(':focus')) return
+    const words = this.host.querySelector<HTMLElement>('.progress [role="status"]')
+    ;(this.button ?? words)?.focus({ preventScroll: true })
+  }
+
+  private get button(): HTMLElement | null {
+    return this.host.querySelector('.progress button')
   }
 
   hostDisconnected(): void {
@@ -142,6 +159,8 @@ export function progress(measuring: Measuring) {
         ? html`<button type="button" @click=${() => measuring.again()}>Measure</button>`
         : nothing
     }
-    <p role="status">${[problem, notice, stopped ? 'Cancelled.' : ''].filter(Boolean).join(' ')}</p>
+    <p role="status" tabindex="-1">
+      ${[problem, notice, stopped ? 'Cancelled.' : ''].filter(Boolean).join(' ')}
+    </p>
   </div>`
 }

@@ -17,9 +17,9 @@ export interface CostKind {
   /** What the axis says. */
   readonly axis: string
   readonly about: string
-  readonly text: (cost: number) => string
-  /** A cost in a sentence. */
-  readonly inWords: (cost: number) => string
+  readonly text: (cost: number, most?: number) => string
+  /** A cost in a sentence, with the most that it was in repeated measurements. */
+  readonly inWords: (cost: number, most?: number) => string
 }
 
 /** In which costs are counted, the first by default. */
@@ -38,8 +38,8 @@ export const costKinds: readonly CostKind[] = [
     axis: 'time for a simulated second',
     about:
       'Measured here and now, in a program that has used every method: a game that keeps to one takes less.',
-    text: (cost) => seconds(cost * 1e-9),
-    inWords: (cost) => `${seconds(cost * 1e-9)} for a simulated second`,
+    text: timeText,
+    inWords: (cost, most) => `${timeText(cost, most)} for a simulated second`,
   },
 ]
 
@@ -51,6 +51,8 @@ export interface DiagramPoint {
   readonly setting: number
   /** For a simulated second. */
   readonly cost: number
+  /** The most that it was, where it was measured more than once. */
+  readonly mostCost?: number | undefined
   /** The largest of the run, 0 where it is rounding [m]. */
   readonly error: number
   readonly outcome: Outcome['kind']
@@ -88,15 +90,18 @@ export interface DiagramCurve {
 export function diagramCurves(
   curves: readonly SweepCurve[],
   costs: (curve: SweepCurve) => Float64Array | undefined,
+  mostCosts: (curve: SweepCurve) => Float64Array | undefined = () => undefined,
 ): DiagramCurve[] {
   return curves.flatMap((curve) => {
     const { label, colour }: Integrator = integrators.find(({ id }) => id === curve.method)!
     const cost = costs(curve)
+    const most = mostCosts(curve)
     if (!cost) return []
     const { method, by, scale } = curve
     const points = curve.settings.map((setting, i) => ({
       ...{ method, by, setting },
       cost: cost[i]!,
+      mostCost: most?.[i],
       error: withoutRounding(curve.errors[i]!, curve.scale),
       outcome: outcomeKinds[curve.outcomes[i]!]!,
       whole: counts(curve, i),
@@ -105,6 +110,12 @@ export function diagramCurves(
     const exact = isExact(curve)
     return [{ method, by, label, paletteIndex: colour, points, order, exact, scale }]
   })
+}
+
+/** Times [ns] with their spread: “1.2 µs to 1.4 µs”. */
+function timeText(least: number, most = least): string {
+  const [from, to] = [seconds(least * 1e-9), seconds(most * 1e-9)]
+  return from === to ? from : `${from} to ${to}`
 }
 
 function orderText(curve: SweepCurve): string {

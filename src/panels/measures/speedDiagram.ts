@@ -72,7 +72,13 @@ class SpeedDiagram extends LitElement {
   }
 
   override willUpdate(): void {
-    this.measuring.want(missing(this.request, this.kind, this.swept, this.timed))
+    const { measuring } = this
+    // What can't be timed here can still be counted.
+    if (this.kind.id === 'time' && measuring.problem) {
+      measuring.notice = measuring.problem
+      this.kind = costKinds[0]!
+    }
+    measuring.want(missing(this.request, this.kind, this.swept, this.timed))
   }
 
   override render() {
@@ -107,7 +113,10 @@ class SpeedDiagram extends LitElement {
         label: 'What a simulated second costs',
         list: costKinds,
         chosen: this.kind.id,
-        pick: (kind) => (this.kind = kind),
+        pick: (kind) => {
+          this.measuring.notice = ''
+          this.kind = kind
+        },
       })}
       <label class="choose">
         Stops

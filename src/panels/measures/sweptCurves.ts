@@ -62,12 +62,14 @@ export function curvesAt(
   swept: Curves<SweepCurve>,
   timed: Curves<TimedCurve>,
 ): DiagramCurve[] {
-  return diagramCurves([...swept.values()], (curve) =>
-    cost === 'evaluations'
-      ? curve.evaluations
-      : timed.key === swept.key
-        ? timed.get(nameOf(curve))?.nanoseconds
-        : undefined,
+  const curves = [...swept.values()]
+  if (cost === 'evaluations') return diagramCurves(curves, ({ evaluations }) => evaluations)
+  const times = (curve: SweepCurve) =>
+    timed.key === swept.key ? timed.get(nameOf(curve)) : undefined
+  return diagramCurves(
+    curves,
+    (curve) => times(curve)?.nanoseconds,
+    (curve) => times(curve)?.slowest,
   )
 }
 

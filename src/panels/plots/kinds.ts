@@ -30,7 +30,7 @@ export interface PlotQuantity {
   readonly fromZero?: true
 }
 
-const thin = '\u2009'
+const thin = '\u202f'
 
 /** Where each frame shows the block [m]. */
 const shownPosition: PlotQuantity = {

@@ -65,7 +65,7 @@ class LabPlots extends LitElement {
         <p class="instant">
           ${hover === undefined ? 'values at' : 'values under the pointer, at'}
           <span .style="width: ${fixed(simulated.state.duration, 3).length + 1}ch"
-            >${fixed(time, 3)} s</span
+            >${fixed(time, 3)} s</span
           >
         </p>
       </header>

@@ -24,7 +24,7 @@ export function errorText(
 function signed(error: number): string {
   const size = Math.abs(error)
   // Where millimetres say enough, all rows have them, so that points stand under points.
-  const text = size >= 0.001 && size < 1000 ? `${fixed(error, 3)}\u2009m` : metres(error)
+  const text = size >= 0.001 && size < 1000 ? `${fixed(error, 3)}\u202fm` : metres(error)
   return error > 0 && /[1-9]/.test(text) ? `+${text}` : text
 }
 

@@ -11,7 +11,7 @@ export function noteOf({ name, trajectory }: SimulatedRunner, now: number): stri
   if (experiment.timestep.kind !== 'per-frame') return ''
   const row = rowAt(trajectory, now)
   const late = time[row]! - stateTime[row]!
-  const size = `${fixed(Math.abs(late), 2)}\u2009s`
+  const size = `${fixed(Math.abs(late), 2)}\u202fs`
   const lead = Math.abs(late) < 0.005 ? 'on time' : late > 0 ? `${size} behind` : `${size} ahead`
   return `${name}: physics is ${lead}`
 }

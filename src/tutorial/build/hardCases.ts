@@ -69,7 +69,7 @@ function refusedAddress([experiment]: HardCase['experiments']): string {
   }).toString()
 }
 
-const thin = '\u2009'
+const thin = '\u202f'
 const ROUNDING = '0 (to rounding)'
 
 /** A claim with its bound and what was measured, as a row of a table. */
@@ -87,7 +87,7 @@ export function claimRow(claim: Claim, { run, runs, value, bound }: Result): str
 /** A text as HTML whose numbers stay on one line, with their units. */
 function unbroken(text: string): string {
   return escaped(text).replace(
-    /\S+(?:\u2009\S+)+|\d+(?: \d{3})+/g,
+    /\S+(?:\u202f\S+)+|\d+(?: \d{3})+/g,
     '<span class="together">$&</span>',
   )
 }

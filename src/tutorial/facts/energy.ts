@@ -26,7 +26,7 @@ const lost = (integrator: IntegratorId) => {
 
 /** The stiffest spring on 1 kg that a method with the limit ωΔt < 2 survives: k < m (2/Δt)² [N/m]. */
 const stiffest = (fps: number) => (2 * fps) ** 2
-const springs = (value: number) => `${count(value)}\u2009N/m`
+const springs = (value: number) => `${count(value)}\u202fN/m`
 const limit = (value: number) => fixed(value, 2)
 /** “one part in 990 000”, with two digits. */
 const onePartIn = (value: number) => `one part in ${count(Number((1 / value).toPrecision(2)))}`

@@ -5,7 +5,7 @@ import { fixed, metres } from '../../chart/numbers.ts'
 import { end } from './experiments.ts'
 import type { Facts } from './fact.ts'
 
-const newtons = (value: number) => `${fixed(value, 2)}\u2009N`
+const newtons = (value: number) => `${fixed(value, 2)}\u202fN`
 // The block of the figure.
 const forces = (angle: number) =>
   forcesAt({ scene: 'ramp', parameters: { angle, mass: 2 } }, { s: 0, v: 1 })

@@ -25,10 +25,7 @@ const all = {
 
 /** The numbers of the prose by name, written as people read them; a number and its unit stay on one line. */
 export const facts: Readonly<Record<string, () => string>> = Object.fromEntries(
-  Object.entries<Fact>(all).map(([name, { value, show }]) => [
-    name,
-    () => show(value()).replaceAll('\u2009', '\u202f'),
-  ]),
+  Object.entries<Fact>(all).map(([name, { value, show }]) => [name, () => show(value())]),
 )
 
 /** The same as numbers, in SI units. */

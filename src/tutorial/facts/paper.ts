@@ -6,7 +6,7 @@ import type { Facts } from './fact.ts'
 /** A speed that shows the first step which way friction points, and moves nothing [m/s]. */
 const NUDGE = 1e-9
 
-const signed = (value: number) => `${value > 0 ? '+' : ''}${fixed(value, 3)}\u2009m`
+const signed = (value: number) => `${value > 0 ? '+' : ''}${fixed(value, 3)}\u202fm`
 
 /** A slope down to the left, as in the figure. */
 function slope(degrees: number, muKinetic: number) {

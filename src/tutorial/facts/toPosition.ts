@@ -7,7 +7,7 @@ import type { Facts } from './fact.ts'
 
 // 30°, μk = 0.2, two seconds from rest: the scene's defaults.
 const ramp: Experiment = { scene: 'ramp', duration: 2 }
-const millimetres = (value: number) => `${fixed(value, 3)}\u2009m`
+const millimetres = (value: number) => `${fixed(value, 3)}\u202fm`
 const error = (integrator: IntegratorId, fps: number) =>
   trajectoryErrors(simulate(at(fps, { ...ramp, integrator }))).atEnd
 

@@ -14,6 +14,7 @@ export function layOutInTurn(sections: readonly HTMLElement[]): void {
   if (target) {
     for (const section of sections) section.classList.add(LAID_OUT)
     target.scrollIntoView()
+    holdInPlace(target)
     return
   }
   const [first, ...others] = sections
@@ -24,16 +25,27 @@ export function layOutInTurn(sections: readonly HTMLElement[]): void {
   })
 }
 
-/** Paper is light, whatever the page was switched to. */
-export function lightOnPaper(): void {
-  const { dataset } = document.documentElement
-  let theme: string | undefined
-  addEventListener('beforeprint', () => {
-    theme = dataset.theme
-    dataset.theme = 'light'
-  })
-  addEventListener('afterprint', () => {
-    if (theme === undefined) delete dataset.theme
-    else dataset.theme = theme
-  })
+/** What a reader does who takes the page into their own hands. */
+const TAKES_OVER = ['wheel', 'touchstart', 'pointerdown', 'keydown'] as const
+
+/**
+ * Keeps an element where it stands in the window, whatever grows above it, until the reader does something: the lab gets
+ * its panels later, and Safari does not anchor the page's scrolling.
+ */
+function holdInPlace(element: Element): void {
+  const { style } = document.documentElement
+  const { top } = element.getBoundingClientRect()
+  // Sizes are observed before anything is painted, so that nothing is seen to move.
+  const observer = new ResizeObserver(() =>
+    scrollBy({ top: element.getBoundingClientRect().top - top, behavior: 'instant' }),
+  )
+  const letGo = () => {
+    observer.disconnect()
+    style.overflowAnchor = ''
+    for (const type of TAKES_OVER) removeEventListener(type, letGo)
+  }
+  // Two that hold it would each move the page.
+  style.overflowAnchor = 'none'
+  observer.observe(document.body)
+  for (const type of TAKES_OVER) addEventListener(type, letGo, { passive: true })
 }

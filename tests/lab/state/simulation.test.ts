@@ -52,20 +52,20 @@ test('an error is signed as in the picture, and to the millimetre where that say
   const texts = simulated.runners.map(
     ({ trajectory }) => errorText(simulated, trajectory, trajectory.frames).text,
   )
-  expect(texts).toEqual(['−0.246\u2009m', '−0.082\u2009m', '−0.021\u2009m'])
+  expect(texts).toEqual(['−0.246\u202fm', '−0.082\u202fm', '−0.021\u202fm'])
   const located = new Simulation().run(changed(opening, { kind: 'mode', mode: 'located' }))
   const { trajectory } = located.runners[0]!
   const { text, title } = errorText(located, trajectory, trajectory.frames)
   expect(text).toMatch(/^0/)
   expect(title).toContain('s − exact(t) = ')
   const fall = new Simulation().run(changed(opening, { kind: 'scene', scene: 'fall' }))
-  expect(errorText(fall, fall.runners[0]!.trajectory, 20).text).toMatch(/^\+0\.5\d\d\u2009m$/)
+  expect(errorText(fall, fall.runners[0]!.trajectory, 20).text).toMatch(/^\+0\.5\d\d\u202fm$/)
 })
 
 test.each([
-  [0.2251, '0.23\u2009m'],
-  [0.5, '0.50\u2009m'],
-  [0.00123, '1.2\u2009mm'],
+  [0.2251, '0.23\u202fm'],
+  [0.5, '0.50\u202fm'],
+  [0.00123, '1.2\u202fmm'],
   [0, '0 (to rounding)'],
   [Infinity, 'without bound'],
   [NaN, 'without bound'],
@@ -74,10 +74,10 @@ test.each([
 test('the picture in words', () => {
   const simulated = new Simulation().run(opening)
   const words = inWords(simulated, 1)
-  expect(words).toContain('10 fps: stopped at 1.47\u2009m, 0.25\u2009m short of the exact block.')
-  expect(inWords(simulated, 0.5)).toContain('10 fps: at 1.41\u2009m, 0.18\u2009m short of')
+  expect(words).toContain('10 fps: stopped at 1.47\u202fm, 0.25\u202fm short of the exact block.')
+  expect(inWords(simulated, 0.5)).toContain('10 fps: at 1.41\u202fm, 0.18\u202fm short of')
   const located = new Simulation().run(changed(opening, { kind: 'mode', mode: 'located' }))
-  expect(inWords(located, 1)).toContain('10 fps: stopped at 1.72\u2009m, on the exact block.')
+  expect(inWords(located, 1)).toContain('10 fps: stopped at 1.72\u202fm, on the exact block.')
 })
 
 test('a runner that leaves the track, and one that blows up, is said to', () => {

@@ -4,7 +4,7 @@ import { lengthText } from '../../../src/chart/numbers.ts'
 import { sizeText } from '../../../src/chart/magnitudes.ts'
 import { spreadText } from '../../../src/lab/state/spreadText.ts'
 
-const plain = (text: string) => text.replaceAll('\u2009', ' ')
+const plain = (text: string) => text.replaceAll('\u202f', ' ')
 const spread = (values: Partial<Spread>): Spread => ({
   ...{
     outcomes: ['moving'],

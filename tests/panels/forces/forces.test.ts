@@ -74,12 +74,12 @@ test('a block at rest is held by as much friction as it takes, not by μN', () =
   expect(length(forces.vectors.friction)).toBeCloseTo(9.81 * Math.sin(Math.PI / 12), 12)
   const { force } = largestOf(trajectory)
   expect(frictionText(trajectory.experiment, forces, force)).toBe(
-    'Static friction holds it: 2.54\u2009N of at most 4.74\u2009N.',
+    'Static friction holds it: 2.54\u202fN of at most 4.74\u202fN.',
   )
   const sliding = forcesOf({ trajectory, row: 2 })!
   expect(sliding.vectors.frictionKind).toBe('sliding')
   expect(frictionText(trajectory.experiment, sliding, force)).toBe(
-    'Kinetic friction: μk N = 0.5 × 9.48\u2009N = 4.74\u2009N.',
+    'Kinetic friction: μk N = 0.5 × 9.48\u202fN = 4.74\u202fN.',
   )
 })
 

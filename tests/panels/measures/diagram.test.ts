@@ -105,10 +105,10 @@ describe('the words', () => {
       ['no error but rounding', 'velocity-verlet', 5],
     ])
     const found = advice(pipe)
-    expect(found.map(({ error }) => error)).toContain('1\u2009mm')
+    expect(found.map(({ error }) => error)).toContain('1\u202fmm')
     const points = pipe.flatMap(({ points }) => points).filter(({ whole }) => whole)
     for (const { error, point } of found) {
-      if (error !== '1\u2009mm') continue
+      if (error !== '1\u202fmm') continue
       expect(point.error).toBeLessThanOrEqual(1e-3)
       for (const other of points)
         if (other.cost < point.cost) expect(other.error).toBeGreaterThan(1e-3)
@@ -129,7 +129,7 @@ describe('the words', () => {
     const found = advice(dive)
     expect(found.some(({ point }) => point.by === 'tolerance')).toBe(true)
     const point = dive.at(-1)!.points.at(-1)!
-    expect(pointName(point)).toBe('Implicit midpoint to 1\u2009µm a second')
+    expect(pointName(point)).toBe('Implicit midpoint to 1\u202fµm a second')
     expect(pointName(dive[0]!.points[0]!)).toBe('Explicit Euler at 5 steps a second')
   })
 
@@ -139,31 +139,31 @@ describe('the words', () => {
     expect(pointWords(point!, evaluations!)).toBe('exact to rounding, for 7 evaluations a second')
     const coarse = kick[1]!.points[2]!
     expect(pointWords(coarse, evaluations!)).toMatch(
-      /^never off by more than 0\.\d\d\u2009m, for \d+ evaluations a second$/,
+      /^never off by more than 0\.\d\d\u202fm, for \d+ evaluations a second$/,
     )
   })
 
   test.each([
-    [6, '10⁶\u2009m'],
-    [1, '10\u2009m'],
-    [0, '1\u2009m'],
-    [-1, '10\u2009cm'],
-    [-2, '1\u2009cm'],
-    [-3, '1\u2009mm'],
-    [-4, '0.1\u2009mm'],
-    [-5, '10\u2009µm'],
-    [-6, '1\u2009µm'],
-    [-9, '1\u2009nm'],
-    [-10, '0.1\u2009nm'],
-    [-11, '10\u2009pm'],
+    [6, '10⁶\u202fm'],
+    [1, '10\u202fm'],
+    [0, '1\u202fm'],
+    [-1, '10\u202fcm'],
+    [-2, '1\u202fcm'],
+    [-3, '1\u202fmm'],
+    [-4, '0.1\u202fmm'],
+    [-5, '10\u202fµm'],
+    [-6, '1\u202fµm'],
+    [-9, '1\u202fnm'],
+    [-10, '0.1\u202fnm'],
+    [-11, '10\u202fpm'],
   ])('10 to the power of %d metres', (exponent, text) => expect(decadeText(exponent)).toBe(text))
 
   test.each([
-    [0.2543, '0.25\u2009m', '0.254\u2009m'],
-    [1.234e-6, '1.2\u2009µm', '1.23\u2009µm'],
-    [4.562e-8, '46\u2009nm', '45.6\u2009nm'],
-    [3.04e-11, '0.03\u2009nm', '0.0304\u2009nm'],
-    [3.04e-13, '0.0003\u2009nm', '0.000304\u2009nm'],
+    [0.2543, '0.25\u202fm', '0.254\u202fm'],
+    [1.234e-6, '1.2\u202fµm', '1.23\u202fµm'],
+    [4.562e-8, '46\u202fnm', '45.6\u202fnm'],
+    [3.04e-11, '0.03\u202fnm', '0.0304\u202fnm'],
+    [3.04e-13, '0.0003\u202fnm', '0.000304\u202fnm'],
     [0, '0 (to rounding)', '0 (to rounding)'],
   ])('a size of %d m', (value, rough, whole) => {
     expect(roughSize(value)).toBe(rough)

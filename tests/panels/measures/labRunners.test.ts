@@ -116,7 +116,7 @@ describe('a runner of the lab', () => {
     const [runner] = labRunners(runners, { stopping: 'located', duration: 20 }, undefined)
     expect(runner).toMatchObject({
       point: undefined,
-      why: 'it runs longer than the curves’ 20\u2009s',
+      why: 'it runs longer than the curves’ 20\u202fs',
     })
   })
 

@@ -35,12 +35,12 @@ test('the map in words', () => {
   for (const row of rateMap(request)) cells.take(row)
   const words = summary(cells)
   expect(words).toMatch(/^Of all runs, .*leaves the track, .*can’t be run\.$/)
-  expect(placeText(request, 0, 0)).toBe('5.42 fps, radius 0.625\u2009m')
+  expect(placeText(request, 0, 0)).toBe('5.42 fps, radius 0.625\u202fm')
   expect(cellWords(cells.cell(0, 0), request)).toContain('can’t be run')
   const exact = { kind: 'measured', value: 0 } as const
   expect(cellWords(exact, request)).toBe('is exact to rounding')
   expect(cellWords({ ...exact, value: 0.1234 }, { ...request, of: 'spread' })).toBe(
-    'ends 0.12\u2009m from where it does at 60 fps',
+    'ends 0.12\u202fm from where it does at 60 fps',
   )
 })
 

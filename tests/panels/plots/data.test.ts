@@ -143,10 +143,10 @@ test('readings are those of the last frame shown by then, and exact ones of that
     lab.exact(0.55, { s: 0, v: 0 }).s,
   ])
   expect(readings[0]!.x).toBe(lab.visible[0]!.trajectory.time[5])
-  expect(readings[0]!.text).toBe('−1.41\u2009m')
+  expect(readings[0]!.text).toBe('−1.41\u202fm')
   expect(inFull(kind('position'), readings[0]!)).toBe(`10 fps: ${readings[0]!.y} m, at t = 0.5 s`)
   expect(spoken(kind('position'), readings, 0.55)).toContain(
-    'Position at 0.55\u2009s: 10 fps −1.41\u2009m',
+    'Position at 0.55\u202fs: 10 fps −1.41\u202fm',
   )
 })
 
@@ -161,12 +161,12 @@ test('errors that are rounding are called so', () => {
 })
 
 test.each([
-  [0.1464, '0.146\u2009m'],
-  [0.00554, '5.54\u2009mm'],
-  [3.14e-6, '3.14\u2009µm'],
-  [6.8e-11, '68\u2009pm'],
+  [0.1464, '0.146\u202fm'],
+  [0.00554, '5.54\u202fmm'],
+  [3.14e-6, '3.14\u202fµm'],
+  [6.8e-11, '68\u202fpm'],
   [0, 'rounding'],
-  [12345, '12345\u2009m'],
+  [12345, '12345\u202fm'],
 ])('an error of %d m', (value, text) => expect(kind('error').of.text(value)).toBe(text))
 
 test('the energy residual counts the heat of drag', () => {

@@ -4,7 +4,7 @@ import type { Experiment } from '../../../src/physics/index.ts'
 import { endText } from '../../../src/panels/runners/results.ts'
 
 const text = (experiment: Experiment) =>
-  endText(simulate(experiment)).text.replaceAll('\u2009', ' ')
+  endText(simulate(experiment)).text.replaceAll('\u202f', ' ')
 const kick = { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5, gravity: 9.81 }
 
 test.each([

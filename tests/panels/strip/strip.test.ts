@@ -102,18 +102,18 @@ describe('in words', () => {
 
   test('time that was lost', () => {
     const capped = runner(...lossy[0]!)
-    expect(noteOf(capped, 0)).toBe('A: 1.00\u2009s lost')
+    expect(noteOf(capped, 0)).toBe('A: 1.00\u202fs lost')
     expect(stripText(capped, 3)).toMatch(
-      /^A: 30 frames, 120 physics steps of 16\.7\u2009ms, .* lost/,
+      /^A: 30 frames, 120 physics steps of 16\.7\u202fms, .* lost/,
     )
   })
 
   test('time that goes astray without delta time', () => {
     const slow = runner({ kind: 'per-frame', step: 1 / 60 }, { kind: 'steady', fps: 10 })
     expect(noteOf(slow, 0)).toBe('A: physics is on time')
-    expect(noteOf(slow, 1)).toBe('A: physics is 0.83\u2009s behind')
+    expect(noteOf(slow, 1)).toBe('A: physics is 0.83\u202fs behind')
     const fast = runner({ kind: 'per-frame', step: 1 / 60 }, { kind: 'steady', fps: 120 })
-    expect(noteOf(fast, 1)).toBe('A: physics is 1.00\u2009s ahead')
+    expect(noteOf(fast, 1)).toBe('A: physics is 1.00\u202fs ahead')
   })
 
   test('nothing where there is nothing to say', () => {
@@ -124,8 +124,8 @@ describe('in words', () => {
 
   test('what the accumulator holds now', () => {
     const fixed = runner({ kind: 'fixed', step: 0.1 }, { kind: 'steady', fps: 40 })
-    expect(stripText(fixed, 0.15)).toContain('50\u2009ms in the accumulator')
-    expect(stripText(fixed, 0.2)).toContain('0.00\u2009s in the accumulator')
+    expect(stripText(fixed, 0.15)).toContain('50\u202fms in the accumulator')
+    expect(stripText(fixed, 0.2)).toContain('0.00\u202fs in the accumulator')
   })
 })
 

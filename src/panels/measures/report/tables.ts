@@ -137,7 +137,7 @@ function row({ scene, integrator, handwritten, alone, mixed, ratios }: FrameTime
 /** Of so many ns, and how many times the handwritten loop's of the same round. */
 function time(nanoseconds: number, ratio?: number | null) {
   return html`<td title="${raw(nanoseconds)} ns">
-    ${seconds(nanoseconds * 1e-9)}${ratio ? html`<small>${plain(ratio)} ×</small>` : ''}
+    ${seconds(nanoseconds * 1e-9)}${ratio ? html`<small>${plain(ratio)} ×</small>` : ''}
   </td>`
 }
 
