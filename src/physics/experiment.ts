@@ -63,6 +63,4 @@ export const limits = {
   steps: 5e6,
   /** Of the acceleration, those that locate events included: some seconds. */
   evaluations: 1e8,
-  /** The same where the policy looks for its steps as it goes, which can't be forecast: about a second. */
-  searchedEvaluations: 2e7,
 } as const

@@ -27,11 +27,9 @@ export function simulate(experiment: Experiment): Trajectory {
   const { run } = loop
   const recorder = new Recorder(loop.expectedFrames + 1)
   recorder.record(run)
-  const searches = resolved.timestep.kind === 'tolerance'
-  const most = searches ? limits.searchedEvaluations : limits.evaluations
   while (loop.next()) {
     // What no forecast of the work has seen coming, such as a step cut into thousands.
-    if (run.evaluations > most) run.abandon()
+    if (run.evaluations > limits.evaluations) run.abandon()
     recorder.record(run)
   }
   return recorder.trajectory(resolved, run)

@@ -25,7 +25,7 @@ const ROUNDING = 16 * Number.EPSILON
 // a step, in parts of it, an event hides less than a billionth of the error.
 const EARLY = 1e-3
 // Far more than any smooth motion asks for: the rule does not come to an end there.
-const MOST_TRIES_A_FRAME = 3e5
+const MOST_TRIES_A_FRAME = 1e6
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
