@@ -116,7 +116,7 @@ describe('README', () => {
     const sections = readdirSync(join(root, 'src/tutorial/text')).filter((name) => /^\d/.test(name))
     expect(sections).toHaveLength(10)
     expect(readme).toContain('Ten short sections')
-    expect(modes).toHaveLength(5)
+    expect(modes).toHaveLength(6)
     const [first, last] = [modes[0]!.label, modes.at(-1)!.label]
     expect(readme.replace(/\s+/g, ' ')).toContain(`Five buttons lead from _${first}_ to _${last}_`)
   })

@@ -184,6 +184,8 @@ test('the whole lab can be used with the keyboard alone', async () => {
   expect((await first()).stopping).toBe('located')
   await tabTo(page, /^Time step, 12 fps/)
   await pressed('End')
+  expect((await first()).timestep.kind).toBe('tolerance')
+  await pressed('ArrowUp')
   expect((await first()).timestep.kind).toBe('fixed')
   await tabTo(page, /^Most steps a frame/)
   expect((await focus(page)).isSeen).toBe(true)
