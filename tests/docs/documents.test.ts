@@ -118,7 +118,7 @@ describe('README', () => {
     expect(readme).toContain('Ten short sections')
     expect(modes).toHaveLength(6)
     const [first, last] = [modes[0]!.label, modes.at(-1)!.label]
-    expect(readme.replace(/\s+/g, ' ')).toContain(`Five buttons lead from _${first}_ to _${last}_`)
+    expect(readme.replace(/\s+/g, ' ')).toContain(`Six buttons lead from _${first}_ to _${last}_`)
   })
 })
 
