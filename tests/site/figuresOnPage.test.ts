@@ -42,10 +42,10 @@ test('before one comes near, nothing of the figures is loaded but their names', 
         .filter((name) => name.endsWith('.js')),
     )
   await page.waitForTimeout(300)
-  expect((await loaded()).filter((name) => /^(all|live)-/.test(name))).toEqual([])
+  expect((await loaded()).filter((name) => /^figures-/.test(name))).toEqual([])
   await page.locator('slide-figure[name="paper-step"]').scrollIntoViewIfNeeded()
   await expect
-    .poll(async () => (await loaded()).filter((name) => /^(all|live)-/.test(name)))
-    .toHaveLength(2)
+    .poll(async () => (await loaded()).filter((name) => /^figures-/.test(name)))
+    .toHaveLength(1)
   expect(problems).toEqual([])
 })
