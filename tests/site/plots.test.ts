@@ -19,7 +19,7 @@ test('plots are drawn when they come near, in a box that was as high before', as
       .locator('slide-lab-plot')
       .evaluateAll((all) => all.map((each) => (each as HTMLElement).offsetHeight))
   const before = await heights()
-  expect(before).toHaveLength(5)
+  expect(before).toHaveLength(6)
   expect(Math.min(...before)).toBeGreaterThan(250)
   expect(await page.locator('slide-lab-plot canvas').count()).toBe(0)
   await page.locator('slide-lab-plots').evaluate((each) => each.scrollIntoView())
@@ -234,7 +234,7 @@ test('on a phone there is one plot at a time', async () => {
 test('the energy residual of a fall with drag is drawn, and says that it counts the heat of drag', async () => {
   const lab = await openPlots('scene=fall')
   await lab.plot('energy').locator('canvas.chart').waitFor()
-  expect(await lab.plot('energy').locator('figcaption').innerText()).toContain('friction and drag')
+  expect(await lab.plot('energy').locator('figcaption').innerText()).toContain('heat of drag')
   expect(lab.problems).toEqual([])
 })
 
