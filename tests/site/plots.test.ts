@@ -23,7 +23,7 @@ test('plots are drawn when they come near, in a box that was as high before', as
   expect(Math.min(...before)).toBeGreaterThan(250)
   expect(await page.locator('slide-lab-plot canvas').count()).toBe(0)
   await page.locator('slide-lab-plots').evaluate((each) => each.scrollIntoView())
-  await expect.poll(() => page.locator('slide-lab-plot canvas.chart').count()).toBe(5)
+  await expect.poll(() => page.locator('slide-lab-plot canvas.chart').count()).toBe(6)
   expect(await heights()).toEqual(before)
   expect(lab.problems).toEqual([])
 })
