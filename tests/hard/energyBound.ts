@@ -18,9 +18,11 @@ export function heights({ experiment, s }: Trajectory, row: number): number {
     mass = 1,
     radius = 0,
     bendRadius = 0,
+    crestRadius = 0,
     length = 0,
   } = experiment.parameters
-  const far = Math.max(Math.abs(s[row]!), Math.abs(s[row - 1]!)) + radius + bendRadius + length
+  const far =
+    Math.max(Math.abs(s[row]!), Math.abs(s[row - 1]!)) + radius + bendRadius + crestRadius + length
   return gravity * far + (stiffness / mass) * far * far
 }
 
@@ -33,7 +35,7 @@ export function heights({ experiment, s }: Trajectory, row: number): number {
 export function energyErrorOfStep(run: Trajectory, row: number, dt: number): number | undefined {
   const { experiment, s, v } = run
   const method = methodOf(experiment.integrator)
-  const law = lawOf(experiment.scene, experiment.parameters)
+  const law = lawOf(experiment.parameters)
   const far = Math.max(Math.abs(s[row]!), Math.abs(s[row - 1]!))
   const weight = law.weight + law.stiffness * far
   // A block may be faster inside a frame than at both ends.
@@ -49,11 +51,12 @@ export function energyErrorOfStep(run: Trajectory, row: number, dt: number): num
 }
 
 /** Bounds of a scene's law: of the forces per mass, of what they gain with s and with v², and of the rate of change. */
-export function lawOf(scene: SceneId, parameters: ResolvedExperiment['parameters']) {
-  const { gravity = 0, mass = 1, drag = 0, muKinetic = 0, radius, bendRadius } = parameters
+export function lawOf(parameters: ResolvedExperiment['parameters']) {
+  const { gravity = 0, mass = 1, drag = 0, muKinetic = 0 } = parameters
+  const radius = parameters.radius ?? parameters.bendRadius ?? parameters.crestRadius
   const frictionFactor = 1 + muKinetic
   const stiffness = (parameters.stiffness ?? 0) / mass
-  const curvature = scene === 'half-pipe' ? 1 / radius! : bendRadius ? 1 / bendRadius : 0
+  const curvature = radius ? 1 / radius : 0
   const k = drag / mass
   return {
     weight: frictionFactor * gravity,

@@ -56,16 +56,18 @@ function expectCounters(run: Trajectory): void {
   const byChance = 6 * Math.sqrt(asked.frames) + 20
   expect(frames).toBeLessThanOrEqual(asked.frames + byChance)
   const perFrame = timestep.kind === 'fixed' ? timestep.maxSteps : 1
-  expect(steps).toBeLessThanOrEqual(asked.steps + byChance * perFrame + 1)
+  // How many steps a tolerance asks for, nobody can say before.
+  if (timestep.kind !== 'tolerance')
+    expect(steps).toBeLessThanOrEqual(asked.steps + byChance * perFrame + 1)
   if (timestep.kind === 'per-frame' || timestep.kind === 'variable' || timestep.kind === 'capped')
     expect(steps).toBe(frames)
   if (timestep.kind === 'variable')
     expect(same(run.stateTime.subarray(0, -1), run.time.subarray(0, -1))).toBe(true)
-  // A step looks at the forces at least as often as its method says, unless there is nothing to step.
-  if (run.outcome.kind === 'moving')
-    expect(evaluations).toBeGreaterThanOrEqual(
-      methodOf(experiment.integrator).evaluations.least * steps,
-    )
+  // A step looks at the forces at least as often as its method says, unless there is nothing to step: a block that rides
+  // on a belt is asked once whether it stays.
+  const { least } = methodOf(experiment.integrator).evaluations
+  const once = experiment.scene === 'belt' ? 1 : least
+  if (run.outcome.kind === 'moving') expect(evaluations).toBeGreaterThanOrEqual(once * steps)
   // No time is lost silently. Whole steps of `fixed` may still be due, and `per-frame` goes by no clock.
   if (timestep.kind === 'per-frame') expect(lostTime).toBe(0)
   else if (run.outcome.kind === 'moving' || run.outcome.kind === 'at-rest') {
@@ -96,7 +98,8 @@ describe('energy', () => {
     const drawn = experiments('tame', { stoppings: located, timesteps: variable })
     check(0.2, drawn, (experiment) => {
       const run = simulate(experiment)
-      const energy = mechanicalEnergy(run)
+      // A belt gives energy, but no more than its work.
+      const energy = mechanicalEnergy(run).map((value, row) => value - run.work[row]!)
       const { mass = 1 } = experiment.parameters
       let excess = 0
       for (let row = 1; row <= run.frames; row++) {
@@ -104,7 +107,8 @@ describe('energy', () => {
         const allowed = energyErrorOfStep(run, row, dt)
         if (allowed === undefined) continue
         // Some roundings of both energies: of the speed's square and of the height.
-        const size = Math.abs(energy[row]!) + Math.abs(energy[row - 1]!)
+        const size =
+          Math.abs(energy[row]!) + Math.abs(energy[row - 1]!) + 2 * Math.abs(run.work[row]!)
         const rounding = 16 * Number.EPSILON * (size + mass * heights(run, row))
         excess = Math.max(excess, energy[row]! - energy[row - 1]! - mass * allowed - rounding)
       }
@@ -121,6 +125,7 @@ describe('rest', () => {
       const scene = sceneOf(drawn.scene)
       if (scene.id === 'fall') return
       const held: Record<string, number> = { ...drawn.parameters, speed: 0, muStatic: 0 }
+      if (scene.id === 'belt') held.beltSpeed = 0
       const { gravity, stiffness = 0, mass, position } = held
       const { slope } = scene.place(held, position!)
       const drive = gravity! * Math.sin(slope) - (stiffness / mass!) * position!
@@ -137,7 +142,8 @@ describe('rest', () => {
       expect(run.drawnS.every((s) => s === position)).toBe(true)
       expect(run.v.every((v) => v === 0)).toBe(true)
       expect(run.heat.every((heat) => heat === 0)).toBe(true)
-      expect(run.evaluations).toBeLessThanOrEqual(1)
+      // Asked once, or by a try and its first half.
+      expect(run.evaluations).toBeLessThanOrEqual(drawn.timestep.kind === 'tolerance' ? 2 : 1)
     })
   })
 })
@@ -195,7 +201,8 @@ describe('frames', () => {
 
 describe('symmetries', () => {
   it('mirror images give mirrored bits', () => {
-    const mirrored = scenes.filter(({ id }) => id !== 'run-out')
+    // A hill's image is another hill, with its foot elsewhere: tests/physics/mirror.test.ts.
+    const mirrored = scenes.filter(({ id }) => id !== 'run-out' && id !== 'crest')
     check(0.05, experiments('tame', { scenes: mirrored }), (experiment) => {
       const { scene, parameters } = experiment
       // What has a mirror image: no gravity along the track but the pipe's.
@@ -204,7 +211,11 @@ describe('symmetries', () => {
         ...(scene === 'fall' && { gravity: 0 }),
         ...('angle' in parameters && { angle: 0 }),
       }
-      const image = { ...flat, position: -flat.position!, speed: -flat.speed! }
+      const { beltSpeed = 0 } = flat
+      const image = {
+        ...{ ...flat, position: -flat.position!, speed: -flat.speed! },
+        ...(scene === 'belt' && { beltSpeed: -beltSpeed }),
+      }
       const one = simulate({ ...experiment, parameters: flat })
       const other = simulate({ ...experiment, parameters: image })
       for (const name of ['time', 'stateTime', 'heat'] as const)
@@ -262,7 +273,7 @@ describe('symmetries', () => {
       }
       if (run.outcome.kind !== 'at-rest' || run.outcome.time === 0) return
       // A step that does not resolve the motion finds one of several jumps or another, by its length.
-      if (lawOf(scene, parameters).rate(fastest) * Math.max(...frames) > 0.5) return
+      if (lawOf(parameters).rate(fastest) * Math.max(...frames) > 0.5) return
       const cut = createRun({ scene, parameters, integrator })
       for (const frame of frames.slice(0, stopsIn - 1)) cut.frame(frame)
       const first = Math.min(frames[stopsIn - 1]!, Math.max(0, run.outcome.time - cut.time))

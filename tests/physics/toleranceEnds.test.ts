@@ -1,4 +1,4 @@
-/** Steps to a tolerance come to an end with every rule: naive friction trembles in a million tries, which take a while. */
+/** Steps to a tolerance come to an end with every rule: naive friction trembles until its tries are given up. */
 import { describe, expect, it } from 'vitest'
 import { integrators, scenes, simulate, stoppings } from '../../src/physics/index.ts'
 import { last } from './truth.ts'

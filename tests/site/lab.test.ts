@@ -149,7 +149,7 @@ test('the large number is of frame rates only where the blocks differ in nothing
 })
 
 test.each([320, 390, 768, 1440])(
-  'at %i px none of the five buttons moves the picture',
+  'at %i px none of the buttons moves the picture',
   async (width) => {
     const { page } = await openLab('', { width })
     const top = () =>
@@ -158,7 +158,7 @@ test.each([320, 390, 768, 1440])(
         .evaluate((stage) => Math.round(stage.getBoundingClientRect().top + scrollY))
     const before = await top()
     const buttons = page.locator('.modes button')
-    expect(await buttons.count()).toBe(5)
+    expect(await buttons.count()).toBe(6)
     for (const button of await buttons.all()) {
       await button.click()
       await expect.poll(() => button.getAttribute('aria-pressed')).toBe('true')

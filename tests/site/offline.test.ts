@@ -71,7 +71,8 @@ const fonts = (page: Page) =>
 test('it needs no other file, has its fonts, and plays', async () => {
   expect(readdirSync(stick)).toEqual(['renamed and moved.html'])
   const { page, said, spread } = await openFile()
-  expect(await spread.innerText()).toBe('0.23\u202fm')
+  // The opening counts up to it.
+  await expect.poll(() => spread.innerText()).toBe('0.23\u202fm')
   // Those of formulas are asked for when their section is laid out.
   await expect.poll(() => fonts(page)).toEqual(['Inter', 'STIX Two Math', 'STIX Two Text'])
   const time = page.getByRole('slider', { name: 'Time' }).first()

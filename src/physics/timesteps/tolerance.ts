@@ -24,8 +24,10 @@ const ROUNDING = 16 * Number.EPSILON
 // A step that ends at an event ends there but for its error, so that the next may begin with the same event. So early in
 // a step, in parts of it, an event hides less than a billionth of the error.
 const EARLY = 1e-3
-// Far more than any smooth motion asks for: the rule does not come to an end there.
+// More tries than any smooth motion asks for, and more refusals than any number of events: an event takes some twenty. A
+// rule that trembles, as naive friction does at rest, is refused at every other try and never comes to an end.
 const MOST_TRIES_A_FRAME = 1e6
+const MOST_REFUSED_A_FRAME = 1e4
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
@@ -37,14 +39,19 @@ export const toTolerance = {
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
   start: ({ tolerance }: Values<typeof options>) => {
-    const next: Next = { tolerance, left: NaN, step: Infinity, factor: NaN, afterEvent: false }
+    const next: Next = {
+      ...{ tolerance, left: NaN, step: Infinity, factor: NaN },
+      ...{ afterEvent: false, refused: 0 },
+    }
     return (frame) => {
       next.left = frame.frameDuration
-      let tries = 0
-      while (next.left > 0 && frame.motion.moving && tries++ < MOST_TRIES_A_FRAME)
+      next.refused = 0
+      for (let tries = 0; next.left > 0 && frame.motion.moving; tries++) {
+        if (tries === MOST_TRIES_A_FRAME || next.refused === MOST_REFUSED_A_FRAME)
+          return frame.abandon()
         advance(frame, next)
-      if (tries > MOST_TRIES_A_FRAME) frame.abandon()
-      else frame.stateTime = frame.time
+      }
+      frame.stateTime = frame.time
     }
   },
 } as const satisfies TimestepPolicy
@@ -66,7 +73,10 @@ function advance(frame: FrameContext, next: Next): void {
   if (accepted) {
     next.left = step === next.left ? 0 : next.left - step
     next.afterEvent = atEvent
-  } else frame.restore()
+  } else {
+    next.refused++
+    frame.restore()
+  }
   frame.judge(accepted)
   // #endregion
 }
@@ -82,6 +92,8 @@ interface Next {
   factor: number
   /** The last step was cut to end at an event. */
   afterEvent: boolean
+  /** How many tries have been refused in this frame. */
+  refused: number
 }
 
 /**
