@@ -27,9 +27,11 @@ export function simulate(experiment: Experiment): Trajectory {
   const { run } = loop
   const recorder = new Recorder(loop.expectedFrames + 1)
   recorder.record(run)
+  const most =
+    resolved.timestep.kind === 'tolerance' ? limits.evaluationsToTolerance : limits.evaluations
   while (loop.next()) {
     // What no forecast of the work has seen coming, such as a step cut into thousands.
-    if (run.evaluations > limits.evaluations) run.abandon()
+    if (run.evaluations > most) run.abandon()
     recorder.record(run)
   }
   return recorder.trajectory(resolved, run)

@@ -162,7 +162,8 @@ function affordable(experiment: ResolvedExperiment): ResolvedExperiment {
   const excess = Math.max(1, frames / MOST_FRAMES, steps / MOST_STEPS)
   let { duration } = experiment
   duration /= excess
-  // A clock's count of frames may begin high, and steps with it, which only a shorter run's own length bounds.
-  while (work({ ...experiment, duration }).steps > 100 * MOST_STEPS) duration /= 2
+  // A clock's count of frames may begin high, and steps with it, which only a shorter run's own length bounds, if at all.
+  while (duration > 1e-9 && work({ ...experiment, duration }).steps > 100 * MOST_STEPS)
+    duration /= 2
   return { ...experiment, duration }
 }

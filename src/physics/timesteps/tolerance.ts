@@ -24,10 +24,11 @@ const ROUNDING = 16 * Number.EPSILON
 // A step that ends at an event ends there but for its error, so that the next may begin with the same event. So early in
 // a step, in parts of it, an event hides less than a billionth of the error.
 const EARLY = 1e-3
-// More tries than any smooth motion asks for, and more refusals than any number of events: an event takes some twenty. A
-// rule that trembles, as naive friction does at rest, is refused at every other try and never comes to an end.
-const MOST_TRIES_A_FRAME = 1e6
-const MOST_REFUSED_A_FRAME = 1e4
+// Where rounding hides the error, each long step is refused after each short one. So a step that was refused is
+// followed by one as long as it recommends, and the next ones are longer by this factor only, by its square and so on.
+const TRUST = 1.5
+// Far more than a smooth motion asks for. A rule that trembles, as naive friction does at rest, does not come to an end.
+const MOST_TRIES_A_FRAME = 3e5
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
@@ -40,15 +41,13 @@ export const toTolerance = {
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
   start: ({ tolerance }: Values<typeof options>) => {
     const next: Next = {
-      ...{ tolerance, left: NaN, step: Infinity, factor: NaN },
-      ...{ afterEvent: false, refused: 0 },
+      ...{ tolerance, left: NaN, step: Infinity, factor: NaN, longer: LONGER },
+      afterEvent: false,
     }
     return (frame) => {
       next.left = frame.frameDuration
-      next.refused = 0
       for (let tries = 0; next.left > 0 && frame.motion.moving; tries++) {
-        if (tries === MOST_TRIES_A_FRAME || next.refused === MOST_REFUSED_A_FRAME)
-          return frame.abandon()
+        if (tries === MOST_TRIES_A_FRAME) return frame.abandon()
         advance(frame, next)
       }
       frame.stateTime = frame.time
@@ -73,8 +72,9 @@ function advance(frame: FrameContext, next: Next): void {
   if (accepted) {
     next.left = step === next.left ? 0 : next.left - step
     next.afterEvent = atEvent
+    next.longer = Math.min(TRUST * next.longer, LONGER)
   } else {
-    next.refused++
+    next.longer = 1
     frame.restore()
   }
   frame.judge(accepted)
@@ -90,10 +90,10 @@ interface Next {
   /** The length that the last step recommends [s], and by which factor it was longer or shorter. */
   step: number
   factor: number
+  /** The largest factor that is believed. */
+  longer: number
   /** The last step was cut to end at an event. */
   afterEvent: boolean
-  /** How many tries have been refused in this frame. */
-  refused: number
 }
 
 /**
@@ -144,5 +144,5 @@ function adapt(next: Next, { allowed, error, order }: FrameContext): void {
     if (!(root < y)) break
     y = root
   }
-  next.factor = Math.min(Math.max(SAFETY * y, SHORTER), LONGER)
+  next.factor = Math.min(Math.max(SAFETY * y, SHORTER), next.longer)
 }
