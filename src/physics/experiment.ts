@@ -63,6 +63,6 @@ export const limits = {
   steps: 5e6,
   /** Of the acceleration, those that locate events included: some seconds. */
   evaluations: 1e8,
-  /** The same for a run to a tolerance, which no forecast sees coming: a second or two. */
-  evaluationsToTolerance: 5e6,
+  /** Of a run to a tolerance, whose work no forecast sees coming: a second or two, and what easy frames take. */
+  toTolerance: { evaluations: 5e6, evaluationsAFrame: 100 },
 } as const

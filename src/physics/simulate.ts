@@ -27,8 +27,11 @@ export function simulate(experiment: Experiment): Trajectory {
   const { run } = loop
   const recorder = new Recorder(loop.expectedFrames + 1)
   recorder.record(run)
+  const { evaluations, evaluationsAFrame } = limits.toTolerance
   const most =
-    resolved.timestep.kind === 'tolerance' ? limits.evaluationsToTolerance : limits.evaluations
+    resolved.timestep.kind === 'tolerance'
+      ? evaluations + evaluationsAFrame * loop.expectedFrames
+      : limits.evaluations
   while (loop.next()) {
     // What no forecast of the work has seen coming, such as a step cut into thousands.
     if (run.evaluations > most) run.abandon()

@@ -27,6 +27,9 @@ describe('the fingerprint', () => {
     expect(combinations(({ timestep, frames }) => `${timestep!.kind} ${frames!.kind}`)).toBe(
       timesteps.length * frameClocks.length,
     )
+    expect(combinations(({ timestep, stopping }) => `${timestep!.kind} ${stopping}`)).toBe(
+      timesteps.length * stoppings.length,
+    )
     expect(experiments.length).toBeGreaterThanOrEqual(200)
   })
 
