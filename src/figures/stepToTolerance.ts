@@ -50,7 +50,7 @@ export const stepToTolerance = figure({
     const lengths = lengthsOf(run!)
     const [short, long] = [Math.min(...lengths), Math.max(...lengths)]
     const largest = trajectoryErrors(run!).largest
-    return `Allowed: ${roughSize(toleranceOf(exponent))} for each second. Runge–Kutta 4 keeps ${count(lengths.length)} steps of ${seconds(short)} to ${seconds(long)} in ${DURATION} s, for ${count(run!.evaluations)} evaluations, tries and second opinions included. It is off by ${sizeText(largest)} at the most.`
+    return `For ${roughSize(toleranceOf(exponent))} a second, Runge–Kutta 4 keeps ${count(lengths.length)} steps of ${seconds(short)} to ${seconds(long)}. They cost ${count(run!.evaluations)} evaluations, refused tries included, and are off by ${sizeText(largest)} at most.`
   },
 })
 

@@ -270,6 +270,6 @@ describe('step-to-tolerance', () => {
   test('a smaller tolerance takes more steps, and says so', () => {
     const [coarse, fine] = [-4, -7].map((exponent) => set(stepToTolerance, { exponent }))
     expect(fine!.runs[0]!.steps).toBeGreaterThan(3 * coarse!.runs[0]!.steps)
-    expect(fine!.says).toContain('Allowed: 100\u202fnm for each second.')
+    expect(fine!.says).toContain('For 100\u202fnm a second, ')
   })
 })

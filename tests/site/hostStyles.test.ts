@@ -60,6 +60,8 @@ function layout(page: Page) {
       const { left, top } = host.getBoundingClientRect()
       return [...host.shadowRoot!.querySelectorAll(':not(option)')].map((each) => {
         const box = each.getBoundingClientRect()
+        // What is not displayed is nowhere.
+        if (each.getClientRects().length === 0) return each.localName
         const place = [box.left - left, box.top - top, box.width, box.height]
         return `${each.localName} ${place.map((value) => Math.round(10 * value) / 10).join(' ')}`
       })

@@ -88,7 +88,10 @@ function watch(page: Page): string[] {
   })
   page.on('pageerror', (error) => problems.push(`exception: ${error.stack ?? error.message}`))
   page.on('requestfailed', (request) => {
-    problems.push(`request failed: ${request.url()} ${request.failure()?.errorText ?? ''}`)
+    const { errorText = '' } = request.failure() ?? {}
+    // A page that is left gives up what it was still loading.
+    if (errorText !== 'net::ERR_ABORTED')
+      problems.push(`request failed: ${request.url()} ${errorText}`)
   })
   page.on('response', (response) => {
     if (response.status() >= 400) problems.push(`${response.status()}: ${response.url()}`)

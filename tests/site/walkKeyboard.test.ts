@@ -2,9 +2,18 @@ import { describe, expect, test } from 'vitest'
 import { focus, inOrder, tabTo, tour } from './keyboard.ts'
 import { openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
+
 async function loadPlots({ page }: Lab): Promise<void> {
   await page.locator('slide-lab-plots').scrollIntoViewIfNeeded()
   await page.locator('slide-lab-plots canvas.chart').first().waitFor()
+  await page.evaluate(() => scrollTo(0, 0))
+}
+
+/** Waits until the diagram is measured: until then there is a button to cancel it. */
+async function measuresRest({ page }: Lab): Promise<void> {
+  await page.locator('slide-lab-measures').scrollIntoViewIfNeeded()
+  await page.locator('slide-lab-measures canvas').first().waitFor()
+  await page.getByRole('button', { name: 'Cancel' }).waitFor({ state: 'detached' })
   await page.evaluate(() => scrollTo(0, 0))
 }
 
@@ -15,6 +24,7 @@ describe('Tab', () => {
       const lab = await openLab('', { width })
       const { page } = lab
       await loadPlots(lab)
+      await measuresRest(lab)
       const stops = await tour(page)
       expect(stops.filter(({ isSeen }) => !isSeen).map(({ name }) => name)).toEqual([])
       expect(inOrder(stops)).toEqual([

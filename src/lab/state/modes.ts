@@ -81,7 +81,7 @@ export const modes = [
     id: 'to-tolerance',
     label: 'To tolerance',
     about:
-      'Takes as many steps in each frame as an error of a micrometre a second asks for: each step is also taken in two halves, and where these end elsewhere it is taken back and made shorter. Wherever the motion allows it, all frame rates agree.',
+      'As many steps in each frame as an error of a micrometre a second asks for, and shorter ones where the motion is quick. Wherever the motion allows it, all frame rates agree.',
     method: {
       timestep: { kind: 'tolerance', tolerance: 1e-6 },
       integrator: 'rk4',

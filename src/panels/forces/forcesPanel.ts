@@ -75,7 +75,7 @@ function table(lab: LabView, { largest }: Looked, { vectors, velocity }: BlockFo
       ${[length(value), dot(value, vectors.along), dot(value, vectors.across)].map(
         (each) =>
           html`<td title="${raw(each)} ${unit}">
-            ${quantity(each, most)}<span class="unit">&thinsp;${unit}</span>
+            ${quantity(each, most)}<span class="unit">&#8239;${unit}</span>
           </td>`,
       )}
     </tr>`
