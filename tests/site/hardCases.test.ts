@@ -2,25 +2,28 @@ import type { Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
 import { hardCases } from '../../src/measure/index.ts'
 import { violationsOn } from './axe.ts'
+import { some } from '../samples.ts'
 import { openPage } from './page.ts'
 
 describe('the hard cases on the page', () => {
-  test.each([
-    [1440, 'light'],
-    [320, 'dark'],
-  ] as const)(
-    'axe finds nothing at %i px, %s, and nothing is too wide',
-    async (width, colorScheme) => {
-      const { page, problems } = await openPage({ width, colorScheme })
-      await unfold(page)
-      expect(await violationsOn(page, '#hard-cases')).toEqual([])
-      const excess = await page
-        .locator('.hard-cases :is(.table, th, td)')
-        .evaluateAll((boxes) => Math.max(...boxes.map((box) => box.scrollWidth - box.clientWidth)))
-      expect(excess).toBe(0)
-      expect(problems).toEqual([])
-    },
-  )
+  test.each(
+    some(
+      [
+        [1440, 'light'],
+        [320, 'dark'],
+      ] as const,
+      1,
+    ),
+  )('axe finds nothing at %i px, %s, and nothing is too wide', async (width, colorScheme) => {
+    const { page, problems } = await openPage({ width, colorScheme })
+    await unfold(page)
+    expect(await violationsOn(page, '#hard-cases')).toEqual([])
+    const excess = await page
+      .locator('.hard-cases :is(.table, th, td)')
+      .evaluateAll((boxes) => Math.max(...boxes.map((box) => box.scrollWidth - box.clientWidth)))
+    expect(excess).toBe(0)
+    expect(problems).toEqual([])
+  })
 
   test.each([1440, 390])(
     'are folded to a line a group at %i px, and open by their line and on paper',

@@ -80,7 +80,7 @@ describe('the text', () => {
         ['dark', 1440],
         ['dark', 390],
       ] as const,
-      ...[0, 3],
+      3,
     ),
   )('has nothing that axe finds, %s, %d px', async (colorScheme, width) => {
     const { page } = await openPage({ width, colorScheme })

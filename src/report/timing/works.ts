@@ -53,9 +53,11 @@ export function simulating(experiment: Experiment, frames: number): Work {
 export function runEverything(): void {
   for (let round = 0; round < 3; round++)
     for (const { id: scene } of scenes)
-      for (const { id: integrator } of integrators)
+      for (const { id: integrator, order } of integrators)
         for (const { id: stopping } of stoppings)
           for (const timestep of timesteps) {
+            // A method of first order takes millions of steps to a tolerance, and goes by the same call sites as others.
+            if (timestep.id === 'tolerance' && order === 1) continue
             const experiment = { scene, integrator, stopping, timestep: initially(timestep) }
             simulate({ ...experiment, duration: 1 })
             const run = createRun(experiment)
