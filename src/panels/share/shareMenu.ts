@@ -2,7 +2,7 @@ import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { isPublic, onSiteChange, site } from '../../lab/site.ts'
-import { linkTo } from '../../lab/state/address.ts'
+import { linkTo, whyNoLink } from '../../lab/state/address.ts'
 import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
 
 /**
@@ -93,7 +93,7 @@ class ShareMenu extends LitElement {
   private links() {
     const home = site()
     if (home === null) return nothing
-    return html`${this.item('Copy link', () => this.copy(linkTo('', home, this.state)))}
+    return html`${this.item('Copy link', () => this.copyLink(home))}
     ${this.item('Copy embed code: HTML', () => this.embed(elementCode, home))}
     ${this.item('Copy embed code: Markdown, MDX', () => this.embed(markdownCode, home))}
     ${this.item('Copy embed code: frame', () => this.embed(frameCode, home))}`
@@ -124,7 +124,22 @@ class ShareMenu extends LitElement {
     if (!event.composedPath().includes(this)) this.close()
   }
 
+  private copyLink(home: string): void {
+    if (!this.isTooLong()) void this.copy(linkTo('', home, this.state))
+  }
+
+  /** Says so where a link would be longer than what can be read again. */
+  private isTooLong(): boolean {
+    const problem = whyNoLink(this.state)
+    if (problem) {
+      this.byHand = ''
+      this.status = `${problem} Copy it as JSON: dropped on a lab or pasted there, it brings all of this back.`
+    }
+    return problem !== ''
+  }
+
   private embed(code: typeof frameCode, home: string): void {
+    if (code === frameCode && this.isTooLong()) return
     if (isPublic()) return void this.copy(code(home, this.state))
     this.byHand = ''
     this.status = 'This page is a file on your computer. One on the web has code to embed it.'
