@@ -61,6 +61,9 @@ function choiceField(
   </label>`
 }
 
+/** More of them nobody reads in a field, and writing them takes a while at every change. */
+const MOST_TYPED = 2000
+
 /** Frame times, the only lists there are: how many, and unfolded all of them, with blanks or commas between. */
 function timesField(
   of: string,
@@ -73,11 +76,8 @@ function timesField(
     const items = value.split(/[\s,;]+/).filter(Boolean)
     pick(items.map((item) => readNumber(item) ?? item))
   }
-  return html`<details class="times">
-    <summary title=${summaryText(times)}>
-      ${times.length} ${times.length === 1 ? 'frame' : 'frames'}
-    </summary>
-    <label class="choice">
+  const field = () =>
+    html`<label class="choice">
       ${label} [${unit}]
       <input
         type="text"
@@ -87,6 +87,11 @@ function timesField(
         .value=${times.map(writeNumber).join(' ')}
         @change=${changed}
       />
-    </label>
+    </label>`
+  return html`<details class="times">
+    <summary title=${summaryText(times)}>
+      ${times.length} ${times.length === 1 ? 'frame' : 'frames'}
+    </summary>
+    ${times.length > MOST_TYPED ? html`<p>Too many to be typed.</p>` : field()}
   </details>`
 }
