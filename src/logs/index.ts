@@ -24,7 +24,7 @@ export function* readLog(text: string): Generator<number, Candidate[]> {
   const [worst] = all.flatMap(({ reasons }) => reasons)
   throw new LogError(
     worst
-      ? `Line ${worst.line}: ${worst.reason}. No row holds a frame time.`
+      ? `${worst.place}: ${worst.reason}. No row holds a frame time.`
       : `Line ${first.number}: no row with frame times follows.`,
   )
 }

@@ -39,7 +39,7 @@ function parsed(text: string): unknown {
 }
 
 function seriesOf(list: readonly unknown[]): Series {
-  const series = new Series()
+  const series = new Series('Value')
   list.forEach((each, i) => series.add(typeof each === 'number' ? String(each) : show(each), i + 1))
   return series
 }

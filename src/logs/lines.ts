@@ -40,6 +40,7 @@ export function* linesOf(text: string, start = 0, first = 1): Generator<Line> {
     const end = at < 0 ? text.length : at
     const line = text.slice(from, end).trim()
     from = end + 1
-    if (line !== '' && !/^(#|\/\/)/.test(line)) yield { text: line, number, end: Math.min(from, text.length) }
+    if (line !== '' && !/^(#|\/\/)/.test(line))
+      yield { text: line, number, end: Math.min(from, text.length) }
   }
 }

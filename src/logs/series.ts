@@ -11,8 +11,8 @@ const MOST_NAMED = 100
 
 /** A row that is no frame, and why. */
 export interface LeftOut {
-  /** Counted from 1: a line of the text, or a value of a JSON list. */
-  readonly line: number
+  /** “Line 3”, or of a JSON list “Value 3”, counted from 1. */
+  readonly place: string
   readonly reason: string
 }
 
@@ -38,6 +38,12 @@ export class Series {
   private readonly lines: number[] = []
   /** What stands where there is no number. */
   private readonly unread = new Map<number, string>()
+  private readonly noun: string
+
+  /** `noun`: what its cells are counted in. */
+  constructor(noun = 'Line') {
+    this.noun = noun
+  }
 
   get rows(): number {
     return this.values.length
@@ -73,7 +79,8 @@ export class Series {
       if (isFirst) continue
       const reason = whyNot(length, text, isClock)
       if (reason) {
-        if (leftOut++ < MOST_NAMED) reasons.push({ line: this.lines[i]!, reason })
+        if (leftOut++ < MOST_NAMED)
+          reasons.push({ place: `${this.noun} ${this.lines[i]!}`, reason })
         continue
       }
       // It is the instants that are rounded, so that the lengths add up to what passed.

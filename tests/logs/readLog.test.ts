@@ -86,12 +86,12 @@ describe('rows that are no frames', () => {
     expect([...only!.durations]).toEqual([0.0166, 0.0171, 0.001])
     expect(only!.leftOut).toBe(6)
     expect(only!.reasons).toEqual([
-      { line: 3, reason: 'is 0' },
-      { line: 4, reason: 'is negative' },
-      { line: 5, reason: '“NaN” is not a number' },
-      { line: 6, reason: 'is empty' },
-      { line: 8, reason: 'is longer than 60 s' },
-      { line: 9, reason: 'is shorter than 10 µs' },
+      { place: 'Line 3', reason: 'is 0' },
+      { place: 'Line 4', reason: 'is negative' },
+      { place: 'Line 5', reason: '“NaN” is not a number' },
+      { place: 'Line 6', reason: 'is empty' },
+      { place: 'Line 8', reason: 'is longer than 60 s' },
+      { place: 'Line 9', reason: 'is shorter than 10 µs' },
     ])
   })
 
@@ -99,8 +99,8 @@ describe('rows that are no frames', () => {
     const times = [...Array.from({ length: 40 }, (_, i) => 100 + 10 * i), 490, 5, 25, 45]
     const [only] = read(['Time (ms)', ...times].join('\n'))
     expect(only!.reasons).toEqual([
-      { line: 42, reason: 'is the same instant as the row before' },
-      { line: 43, reason: 'is earlier than the row before' },
+      { place: 'Line 42', reason: 'is the same instant as the row before' },
+      { place: 'Line 43', reason: 'is earlier than the row before' },
     ])
     expect(only!.durations).toHaveLength(41)
     expect(only!.durations.at(-1)).toBe(0.02)
@@ -121,6 +121,7 @@ test.each([
   ['[16.6, 17', 'begins like JSON, but is none'],
   ['\nday,kind,height\n1,2,3', 'Line 2: none of its columns is named as a frame time'],
   ['Once upon a time there was a ramp.', 'Line 1: this is neither a table nor a list of numbers.'],
+  ['["x"]', 'Value 1: “x” is not a number. No row holds a frame time.'],
   ['fps,frametime', 'Line 1: no row with frame times follows.'],
   ['fps,frametime\n60,none', 'Line 2: “none” is not a number. No row holds a frame time.'],
 ])('%j can’t be read, and the reason is said', (text, message) => {

@@ -176,7 +176,7 @@ class LogSample extends LitElement {
     return html`<details class="left-out">
       <summary>${rows(leftOut)} left out</summary>
       <ul>
-        ${reasons.map(({ line, reason }) => html`<li>Line ${line} ${reason}</li>`)}
+        ${reasons.map(({ place, reason }) => html`<li>${place} ${reason}</li>`)}
         ${leftOut > reasons.length ? html`<li>… and ${count(leftOut - reasons.length)} more</li>` : nothing}
       </ul>
     </details>`

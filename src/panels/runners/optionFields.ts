@@ -2,7 +2,7 @@ import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../../physics/index.ts'
 import { writeNumber } from '../../chart/numbers.ts'
-import { readNumber } from '../../chart/typedNumber.ts'
+import { readTyped, typedItems } from '../../chart/typedNumber.ts'
 import '../../ui/quantityControl.ts'
 import { summaryText } from '../../lab/state/frameTimes.ts'
 
@@ -73,8 +73,7 @@ function timesField(
 ) {
   const changed = (event: Event) => {
     const { value } = event.target as HTMLInputElement
-    const items = value.split(/[\s,;]+/).filter(Boolean)
-    pick(items.map((item) => readNumber(item) ?? item))
+    pick(typedItems(value).map((item) => readTyped(item, unit) ?? item))
   }
   const field = () =>
     html`<label class="choice">

@@ -4,6 +4,7 @@ import type { LabView } from '../../lab/labView.ts'
 import { isPublic, onSiteChange, site } from '../../lab/site.ts'
 import { linkTo, whyNoLink } from '../../lab/state/address.ts'
 import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
+import type { CsvStyle } from './texts.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.
@@ -74,7 +75,8 @@ class ShareMenu extends LitElement {
         ${this.open ? this.links() : nothing}
         ${this.item('Copy as JSON', () => this.copy(toJson(this.state)))}
         ${this.item('Save picture (PNG)', this.savePicture)}
-        ${this.item('Save data (CSV)', this.saveData)}
+        ${this.item('Save data (CSV)', () => this.saveData())}
+        ${this.item(semicolons.label, () => this.saveData(semicolons))}
         ${
           this.byHand
             ? html`<textarea
@@ -173,10 +175,10 @@ class ShareMenu extends LitElement {
     }
   }
 
-  private readonly saveData = (): void => {
+  private saveData(style?: CsvStyle): void {
     const { runners, exact } = this.lab.simulated
     const name = fileName(this.state, 'csv')
-    const text = toCsv(runners, exact)
+    const text = toCsv(runners, exact, style)
     save(new Blob([text], { type: 'text/csv;charset=utf-8' }), name)
     this.byHand = isFramed ? text : ''
     this.status = isFramed
@@ -184,6 +186,14 @@ class ShareMenu extends LitElement {
       : `Saved as ${name}`
   }
 }
+
+/** What spreadsheets of the reader's language open: most of those with decimal commas take semicolons between cells. */
+const semicolons = (() => {
+  const parts = new Intl.NumberFormat().formatToParts(0.5)
+  const decimal = parts.find(({ type }) => type === 'decimal')!.value
+  const label = `Save data (CSV, semicolons${decimal === ',' ? ', decimal commas' : ''})`
+  return { separator: ';', decimal, label } as const
+})()
 
 /** A page in a frame can’t know whether it may save files: the sandbox refuses without a word to it. */
 const isFramed = typeof window === 'object' && window.parent !== window
