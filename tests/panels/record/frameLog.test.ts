@@ -96,7 +96,7 @@ describe('what was copied as JSON', () => {
       expect(experimentsIn(text)).toBeUndefined()
     const change = (experiments: unknown[]) => () =>
       changed(opening, { kind: 'experiments', experiments })
-    expect(change([{ scene: 'rampp' }])).toThrow(/"rampp" is not one of/)
+    expect(change([{ scene: 'slope' }])).toThrow(/"slope" is not one of/)
     expect(change(Array(9).fill({ scene: 'ramp' }))).toThrow(/9 are not in 1…8/)
     expect(change([{ scene: 'ramp' }, { scene: 'fall' }])).toThrow(
       /runners\[1\]: is not like the first/,
