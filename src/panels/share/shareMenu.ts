@@ -5,6 +5,7 @@ import { isPublic, onSiteChange, site } from '../../lab/site.ts'
 import { linkTo, whyNoLink } from '../../lab/state/address.ts'
 import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
 import type { CsvStyle } from './texts.ts'
+import { pictureOf } from './picture.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.
@@ -206,16 +207,6 @@ function save(content: Blob, name: string): void {
   link.click()
   // Some browsers take the content a little later.
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000)
-}
-
-/** What is drawn on a canvas, pixel by pixel. */
-function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => {
-      if (blob) resolve(blob)
-      else reject(new Error('The browser could not make a picture of it.'))
-    }, 'image/png')
-  })
 }
 
 customElements.define('slide-share-menu', ShareMenu)
