@@ -133,7 +133,7 @@ export abstract class Lab extends LitElement implements LabView {
   readonly change = (change: Change): string => {
     const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
-    const isElsewhere = change.kind === 'scene' || change.kind === 'experiments'
+    const isElsewhere = change.kind === 'scene' || change.kind === 'state'
     const preset = isElsewhere ? undefined : this.preset
     try {
       this.restore({ state: changed(this.state, change), preset, problem: '' })

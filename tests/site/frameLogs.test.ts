@@ -164,7 +164,7 @@ test.each([
     await expect.poll(() => sample(page).count()).toBe(1)
     await sample(page).getByText('1 row left out', { exact: true }).click()
     await press(page, 'Paste a log')
-    expect(await violationsOn(page, 'slide-record-frames')).toEqual([])
+    expect(await violationsOn(page, 'slide-open-log')).toEqual([])
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
     if (process.env.LOOK)
       await page

@@ -5,7 +5,6 @@ import { modes } from './modes.ts'
 import type { ModeId } from './modes.ts'
 import { openingOf } from './opening.ts'
 import type { LabState, RunnerState } from './state.ts'
-import { labOf } from './together.ts'
 
 /** One thing that a reader can do to a lab. Values that were typed come as they are: the check judges them. */
 export type Change =
@@ -18,7 +17,7 @@ export type Change =
   | { kind: 'add'; frames?: RunnerState['frames'] }
   | { kind: 'duplicate'; index: number }
   | { kind: 'remove'; index: number }
-  | { kind: 'experiments'; experiments: readonly unknown[] }
+  | { kind: 'state'; state: LabState }
 
 /**
  * The state after a change.
@@ -51,8 +50,8 @@ export function changed(state: LabState, change: Change): LabState {
       return withNew(state, change.index, {})
     case 'remove':
       return checked({ ...state, runners: state.runners.filter((_, i) => i !== change.index) })
-    case 'experiments':
-      return labOf(change.experiments)
+    case 'state':
+      return change.state
   }
 }
 

@@ -1,7 +1,8 @@
 import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/input.ts'
+import { ExperimentError } from '../../physics/index.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { experimentsIn } from '../../lab/state/together.ts'
+import { experimentsIn, labOf } from '../../lab/state/together.ts'
 import type { Candidate } from '../../logs/index.ts'
 import { DropTarget } from './dropTarget.ts'
 
@@ -182,9 +183,8 @@ class OpenLog extends LitElement {
     this.message = ''
     const experiments = experimentsIn(text)
     if (experiments) {
-      this.problem = this.lab.change({ kind: 'experiments', experiments })
-      if (!this.problem) this.message = 'The lab shows these experiments.'
-      return
+      this.reading = undefined
+      return this.show(experiments)
     }
     this.reading = 0
     try {
@@ -205,6 +205,16 @@ class OpenLog extends LitElement {
     this.reading = undefined
     await this.updateComplete
     if (scroll) this.scrollIntoView({ block: 'nearest' })
+  }
+
+  private show(experiments: readonly unknown[]): void {
+    try {
+      this.lab.change({ kind: 'state', state: labOf(experiments) })
+      this.message = 'The lab shows these experiments.'
+    } catch (error) {
+      if (!(error instanceof ExperimentError)) throw error
+      this.problem = error.message
+    }
   }
 }
 

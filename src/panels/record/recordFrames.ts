@@ -3,12 +3,11 @@ import { fixed, plain } from '../../chart/numbers.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { summarize, summaryText } from '../../lab/state/frameTimes.ts'
 import { binsOf, histogram } from './histogram.ts'
-import './openLog.ts'
 import { Recorder } from './recorder.ts'
 import { useFrames } from './useFrames.ts'
 
 /**
- * Takes down the frame times of the reader's own browser, or those of a log, and makes them the clock of a runner.
+ * Takes down the frame times of the reader's own browser and makes them the clock of a runner.
  *
  * - `lab`: what the runners belong to
  * - `selected`: the name of the selected one
@@ -55,7 +54,6 @@ class RecordFrames extends Recorder {
       }
       <p class="said" role="status">${this.message}</p>
       ${durations.length > 0 ? this.sample(durations) : nothing}
-      <slide-open-log .lab=${this.lab} .selected=${this.selected}></slide-open-log>
     `
   }
 

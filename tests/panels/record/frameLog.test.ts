@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest'
 import { changed } from '../../../src/lab/state/change.ts'
 import { coarseClock } from '../../../src/lab/state/frameTimes.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
-import { experimentsIn } from '../../../src/lab/state/together.ts'
+import { experimentsIn, labOf } from '../../../src/lab/state/together.ts'
 import { framesBetween, logSummary, stretchOf } from '../../../src/panels/record/logWords.ts'
 import { toJson } from '../../../src/panels/share/texts.ts'
 
@@ -79,7 +79,7 @@ describe('what was copied as JSON', () => {
     for (const state of [opening, one, many]) {
       const experiments = experimentsIn(toJson(state))!
       const runners = state.runners.map((runner, i) => ({ ...runner, paletteIndex: i }))
-      expect(changed(one, { kind: 'experiments', experiments })).toEqual({ ...state, runners })
+      expect(labOf(experiments)).toEqual({ ...state, runners })
     }
   })
 
@@ -94,8 +94,7 @@ describe('what was copied as JSON', () => {
       '{"a":',
     ])
       expect(experimentsIn(text)).toBeUndefined()
-    const change = (experiments: unknown[]) => () =>
-      changed(opening, { kind: 'experiments', experiments })
+    const change = (experiments: unknown[]) => () => labOf(experiments)
     expect(change([{ scene: 'slope' }])).toThrow(/"slope" is not one of/)
     expect(change(Array(9).fill({ scene: 'ramp' }))).toThrow(/9 are not in 1…8/)
     expect(change([{ scene: 'ramp' }, { scene: 'fall' }])).toThrow(
