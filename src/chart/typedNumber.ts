@@ -46,7 +46,7 @@ export function isAmbiguous(text: string): boolean {
 /** The items of a list that was typed: with blanks, semicolons or commas between them, where these are not decimal. */
 export function typedItems(text: string): string[] {
   // A unit belongs to the number before it.
-  const joined = text.trim().replace(/(\d)\s+(?=[a-zµμ])/gi, '$1')
+  const joined = text.trim().replace(/(\d)\s+(?=(?:s|ms|µs|μs|us)(?:[\s,;]|$))/g, '$1')
   const isDecimal = /\d,\d/.test(joined) && /[\s;]/.test(joined) && !/,\s|\./.test(joined)
   return joined.split(isDecimal ? /[\s;]+/ : /[\s,;]+/).filter(Boolean)
 }

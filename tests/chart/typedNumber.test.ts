@@ -89,5 +89,6 @@ test.each([
   ['0,016;0,033', ['0,016', '0,033']],
   ['1,2', ['1', '2']],
   ['16,7 ms 33,3 ms', ['16,7ms', '33,3ms']],
+  ['0.02 soon', ['0.02', 'soon']],
   [' ', []],
 ])('the list “%s” has its items', (text, items) => expect(typedItems(text)).toEqual(items))

@@ -62,7 +62,7 @@ class LogSample extends LitElement {
     const { chosen, name } = this
     const frames = this.frames
     const about = logSummary(frames, chosen)
-    return html`<section class="sample" aria-label="The log ${name}">
+    return html`<section class="sample" tabindex="-1" aria-label="${name}: ${about}">
       <p><b>${name}.</b> <span class="summary">${about}.</span></p>
       ${histogram(binsOf(frames, summarize(frames).median), `Histogram of frame times: ${about}`)}
       ${this.choices()} ${this.range(frames)} ${this.leftOut()}

@@ -52,8 +52,8 @@ class OpenLog extends LitElement {
     this.message = ''
     new DropTarget(this, {
       sheet: () => this.closest('.sheet'),
-      file: (file) => this.readFile(file, true),
-      text: (text) => this.read(text, 'What was pasted', true),
+      file: (file) => this.readFile(file),
+      text: (text) => this.read(text, 'What was pasted'),
     })
   }
 
@@ -160,7 +160,7 @@ class OpenLog extends LitElement {
     this.reading = undefined
   }
 
-  private async readFile(file: File, scroll = false): Promise<void> {
+  private async readFile(file: File): Promise<void> {
     if (file.size > MOST_BYTES) {
       this.stop()
       this.problem = `${file.name} has more than ${MOST_BYTES / 1e6} MB.`
@@ -170,13 +170,13 @@ class OpenLog extends LitElement {
       const bytes = new Uint8Array(await file.arrayBuffer())
       // What Windows writes from its own shell begins with this mark.
       const encoding = bytes[0] === 0xff && bytes[1] === 0xfe ? 'utf-16le' : 'utf-8'
-      await this.read(new TextDecoder(encoding).decode(bytes), file.name, scroll)
+      await this.read(new TextDecoder(encoding).decode(bytes), file.name)
     } catch (error) {
       this.problem = `${file.name} could not be read: ${(error as Error).message}`
     }
   }
 
-  private async read(text: string, name: string, scroll = false): Promise<void> {
+  private async read(text: string, name: string): Promise<void> {
     const asked = ++this.asked
     this.log = undefined
     this.problem = ''
@@ -204,7 +204,10 @@ class OpenLog extends LitElement {
     if (asked !== this.asked) return
     this.reading = undefined
     await this.updateComplete
-    if (scroll) this.scrollIntoView({ block: 'nearest' })
+    const sample = this.querySelector<LitElement>('slide-log-sample')
+    await sample?.updateComplete
+    // What is read aloud next, and comes into view: the field that the focus was in is gone.
+    sample?.querySelector('section')!.focus()
   }
 
   private show(experiments: readonly unknown[]): void {
