@@ -106,6 +106,25 @@ test('README’s example runs in plain Node', () => {
   expect(lines).toHaveLength(4)
 })
 
+const drift = `import { frameRateSpread } from 'any-frame-rate/spread'
+const drift = frameRateSpread({
+  start: () => ({ x: 0 }),
+  frame: (it, dt) => void (it.x += dt * dt),
+  read: ({ x }) => ({ x }),
+  duration: 0.5,
+})
+console.log(drift.sentence)
+`
+
+test('the frame-rate spread of a game runs in plain Node', () => {
+  write('drift.js', drift)
+  // T Δt at 5 and at 240 fps; at 5 fps the last of three frames is half of one: 0.2² + 0.2² + 0.1².
+  const apart = (0.09 - 0.5 / 240).toFixed(4)
+  expect(run('node', ['drift.js'])).toMatch(
+    `x ends ${apart} apart: 0.0021 (240 fps) and 0.0900 (5 fps).`,
+  )
+})
+
 test('a server imports the elements, where they do nothing, and React and Vue write their tags', () => {
   write(
     'server.js',
@@ -141,8 +160,9 @@ test('a server imports the elements, where they do nothing, and React and Vue wr
 test.each(['nodenext', 'bundler'])(
   'its types hold with module resolution %s',
   (resolution) => {
+    const good = `${example()}\n${drift}\nconst at: number = game.motion.s + drift.ends[0]!.end.x\nvoid at\n`
     write('example.ts', `${example()}\nconst text: string = game.motion.s\nvoid text\n`)
-    write('good.ts', `${example()}\nconst at: number = game.motion.s\nvoid at\n`)
+    write('good.ts', good)
     // The physics without a page: no DOM, and a console of its own.
     write('console.d.ts', 'declare const console: { log(...values: unknown[]): void }')
     const compilerOptions = {
