@@ -15,6 +15,7 @@ export default defineConfig({
         physics: 'src/physics/index.ts',
         spread: 'src/measure/gameSpread.ts',
         elements: 'src/elements.ts',
+        serverComponent: 'src/serverComponent.ts',
       },
       formats: ['es'],
     },
