@@ -23,7 +23,7 @@ export const fixtures = {
       )
     }
     // @ts-expect-error
-    export const scene = <slide-lab scene="rmap" />
+    export const scene = <slide-lab scene="ramps" />
     // @ts-expect-error
     export const unknown = <slide-lab colour="red" />
     // @ts-expect-error
@@ -40,7 +40,7 @@ export const fixtures = {
       </slide-lab>
     )
     // @ts-expect-error
-    export const scene = <slide-lab scene="rmap" />
+    export const scene = <slide-lab scene="ramps" />
     // @ts-expect-error
     export const unknown = <slide-lab colour="red" />
     // @ts-expect-error
@@ -60,7 +60,7 @@ export const fixtures = {
       onTimeupdate: ({ detail }) => detail.time.toFixed(1),
     }
     // @ts-expect-error
-    export const scene: Lab = { scene: 'rmap' }
+    export const scene: Lab = { scene: 'ramps' }
     // @ts-expect-error
     export const unknown: Lab = { colour: 'red' }
     // @ts-expect-error
