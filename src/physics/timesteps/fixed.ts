@@ -71,5 +71,5 @@ export const fixed = {
 
 /** The longest frame that is not cut [s]. */
 function longest(cap: number): number {
-  return cap < anyCap.max ? cap : Infinity
+  return cap < anyCap.max ? cap : Number.MAX_VALUE
 }

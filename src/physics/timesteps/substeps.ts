@@ -37,7 +37,7 @@ export const substeps = {
 
 /** The longest frame that is not cut [s]: one of as many whole steps as a frame may take. */
 function longest({ step, maxSteps }: Values<typeof options>): number {
-  return maxSteps < MOST_STEPS_A_FRAME ? maxSteps * step : Infinity
+  return maxSteps < MOST_STEPS_A_FRAME ? maxSteps * step : Number.MAX_VALUE
 }
 
 function parts(frameDuration: number, step: number): number {
