@@ -6,7 +6,6 @@ import { cap as anyCap, maxSteps, step } from './options.ts'
 
 const cap = {
   ...anyCap,
-  label: 'Cap on the frame',
   // As good as none: only a game that hands in a longer frame would meet it, and there it does not hold.
   initial: anyCap.max,
   atMax: 'no limit',
@@ -32,7 +31,7 @@ export const fixed = {
   options,
   losesTime: false,
   steps: ({ step, maxSteps, cap }: Values<typeof options>, duration: number, frames: number) =>
-    Math.min(duration / step, maxSteps * frames, (longest(cap) * frames) / step),
+    Math.min(Math.min(duration, longest(cap) * frames) / step, maxSteps * frames),
   start: ({ step, maxSteps, cap, draw }: Values<typeof options>) => {
     const longestFrame = longest(cap)
     // #region advance
