@@ -138,7 +138,8 @@ export abstract class Lab extends LitElement implements LabView {
   readonly change = (change: Change): string => {
     const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
-    const preset = change.kind === 'scene' ? undefined : this.preset
+    const isElsewhere = change.kind === 'scene' || change.kind === 'state'
+    const preset = isElsewhere ? undefined : this.preset
     try {
       this.restore({ state: changed(this.state, change), preset, problem: '' })
     } catch (error) {
@@ -146,7 +147,7 @@ export abstract class Lab extends LitElement implements LabView {
       return refusal(error, change, this.simulated.scene)
     }
     this.history.add(before, this.snapshot, undoGroupOf(change))
-    if (change.kind === 'scene') this.playback.toEnd()
+    if (isElsewhere) this.playback.toEnd()
     if (change.kind === 'mode') this.panels?.glide.begin(drawn, this.recorded)
     return ''
   }

@@ -79,7 +79,7 @@ describe('what can’t be run is refused, and says why', () => {
     [{ kind: 'duration', duration: -1 }, 'duration: -1 is not in'],
     [
       { kind: 'option', index: 1, of: 'frames', key: 'fps', value: 0 },
-      'runners[1].frames.fps: 0 is not in 1…1000',
+      'runners[1].frames.fps: 0 is not in 1…10000',
     ],
     [{ kind: 'remove', index: 0 }, undefined],
   ] as const)('%j', (change, message) => {
