@@ -7,7 +7,7 @@ import { expect, test } from 'vitest'
 type Rule = { runtime: string[]; types: string[] }
 
 /** What the lab is made of, below the panels that it can open. */
-const lab = ['lab', 'lab/state', 'lab/presets', 'lab/playback']
+const lab = ['lab', 'lab/state', 'lab/presets', 'lab/engines', 'lab/playback']
 /** What every panel is made of. Panels are not among it: they do not know each other. */
 const panel = ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit']
 const panels = [
@@ -25,6 +25,7 @@ const rules: Record<string, Rule> = {
   // Plain values: no lit, and nothing that draws.
   'lab/state': { runtime: ['physics', 'measure', 'chart'], types: [] },
   'lab/presets': { runtime: ['physics', 'measure', 'chart', 'lab/state'], types: [] },
+  'lab/engines': { runtime: ['physics', 'measure', 'lab/state', 'lab/presets'], types: [] },
   'lab/playback': { runtime: ['view', 'ui', 'lit'], types: ['physics'] },
   lab: { runtime: ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit'], types: [] },
   ...Object.fromEntries(panels.map((room) => [room, { runtime: panel, types: [] }])),

@@ -13,6 +13,7 @@ import type { Snapshot } from './labHistory.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
+import type { EngineChoice } from './engines/choices.ts'
 import type { Preset } from './presets/preset.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
@@ -93,6 +94,10 @@ export abstract class Lab extends LitElement implements LabView {
 
   get presets(): readonly Preset[] {
     return this.panels?.presets ?? []
+  }
+
+  get engines(): readonly EngineChoice[] {
+    return this.panels?.engines ?? []
   }
 
   get trajectories(): readonly Trajectory[] {

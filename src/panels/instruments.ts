@@ -3,6 +3,7 @@ import { forceDrawing } from '../view/forces.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
+import { engineChoices } from '../lab/engines/choices.ts'
 import { presets } from '../lab/presets/index.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
@@ -21,6 +22,7 @@ export const instruments: OpenPanels = (lab) => {
   return {
     glide: new Glide(lab),
     presets,
+    engines: engineChoices,
     forces: () => forces.vectors(),
     forceDrawing,
     below() {

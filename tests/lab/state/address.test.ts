@@ -136,7 +136,7 @@ function* methods(): Generator<Partial<RunnerState>> {
   for (const { id } of timesteps) yield { timestep: choose('timestep', id, timestep) }
   for (const { id } of frameClocks) yield { frames: choose('frames', id, frames) }
   yield { frames: { kind: 'recorded', durations: [1 / 60, 0.02, 1 / 3, 1e-5] } }
-  yield { timestep: { kind: 'fixed', step: 1 / 77, maxSteps: 4, draw: 'latest' } }
+  yield { timestep: { kind: 'fixed', step: 1 / 77, maxSteps: 4, cap: 0.1, draw: 'latest' } }
 }
 
 function randomState(random: () => number): LabState {

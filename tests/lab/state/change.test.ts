@@ -124,8 +124,15 @@ describe('runners', () => {
       if ('seed' in chosen) expect(chosen.seed).toBe(7)
     }
     for (const { id } of timesteps) {
-      const chosen = choose('timestep', id, { kind: 'substeps', step: 0.02 })
+      const chosen = choose('timestep', id, { kind: 'substeps', step: 0.02, maxSteps: 3 })
       if ('step' in chosen) expect(chosen.step).toBe(0.02)
+      if ('maxSteps' in chosen) expect(chosen.maxSteps).toBe(3)
     }
+  })
+
+  test('a bound that was none is not carried over to a policy that needs one', () => {
+    const uncapped = choose('timestep', 'fixed', { kind: 'variable' })
+    expect(uncapped).toMatchObject({ cap: 60 })
+    expect(choose('timestep', 'capped', uncapped)).toEqual({ kind: 'capped', cap: 0.05 })
   })
 })
