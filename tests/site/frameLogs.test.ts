@@ -170,10 +170,6 @@ test.each([
     await press(page, 'Paste a log')
     expect(await violationsOn(page, 'slide-open-log')).toEqual([])
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
-    if (process.env.LOOK)
-      await page
-        .locator('slide-open-log')
-        .screenshot({ path: `${process.env.LOOK}/log-${width}.png` })
     expect(problems).toEqual([])
   },
 )
