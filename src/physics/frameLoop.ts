@@ -1,3 +1,4 @@
+import { limits } from './experiment.ts'
 import type { ResolvedExperiment } from './experiment.ts'
 import { FramesUntil } from './framesUntil.ts'
 import { Run } from './run.ts'
@@ -7,10 +8,16 @@ import type { advance } from './step.ts'
 export class FrameLoop {
   readonly run: Run
   private readonly frames: FramesUntil
+  private readonly mostEvaluations: number
 
   constructor(experiment: ResolvedExperiment, step?: typeof advance) {
     this.frames = new FramesUntil(experiment)
     this.run = new Run(experiment, step)
+    const { evaluations, evaluationsAFrame } = limits.toTolerance
+    this.mostEvaluations =
+      experiment.timestep.kind === 'tolerance'
+        ? evaluations + evaluationsAFrame * this.expectedFrames
+        : limits.evaluations
   }
 
   /** About how many frames it will have. */
@@ -18,13 +25,18 @@ export class FrameLoop {
     return this.frames.expected
   }
 
-  /** Runs one frame more; the last is cut where the run ends. Returns false where there is none left. */
+  /**
+   * Runs one frame more; the last is cut where the run ends. Gives the run up if it has taken more work than it may.
+   * Returns false where there is none left.
+   */
   next(): boolean {
     const { run, frames } = this
     if (run.ended || !frames.next()) return false
     run.frameDuration = frames.length
     run.time = frames.time
     run.advanceFrame()
+    // What no forecast of the work has seen coming, such as a step cut into thousands.
+    if (run.evaluations > this.mostEvaluations) run.abandon()
     return true
   }
 }
