@@ -59,7 +59,7 @@ function cut(page: Page): Promise<string[]> {
       const { right, width } = each.getBoundingClientRect()
       const isBeyond = says && right > innerWidth + 1 && !each.closest('pre, [role=region], option')
       const isNarrow = each.matches('select:not(.presets)') && width < naturalWidth(each) - 1
-      const name = `${each.localName}.${each.className} ${each.ariaLabel ?? each.closest('[class]')?.className} ${(each as HTMLInputElement).value} “${each.textContent!.trim().slice(0, 30)}”`
+      const name = `${each.localName}.${each.className} ${each.ariaLabel ?? ''} “${each.textContent!.trim().slice(0, 30)}”`
       return [
         (clips || each.matches('input:not([type=range])')) && wider > 1
           ? `cuts ${wider} px: ${name}`
