@@ -11,7 +11,7 @@ export class FrameLoop {
   readonly expectedFrames: number
   private readonly clock: Frames
   private readonly duration: number
-  /** A frame that would leave no more than this is the last: the rounding of the clock's sums [s]. */
+  /** The rounding of the clock's sums: a frame that would leave no more time than this is the last [s]. */
   private readonly slack: number
 
   constructor(experiment: ResolvedExperiment, step?: typeof advance) {
@@ -24,7 +24,7 @@ export class FrameLoop {
     this.run = new Run(experiment, step)
   }
 
-  /** Runs one frame more; the last is cut where the run ends. Returns false where there is none left. */
+  /** Runs one more frame, cut at the end of the run if it is the last. Returns false if none is left. */
   next(): boolean {
     const { run, clock, duration, slack } = this
     if (run.time >= duration || run.ended) return false

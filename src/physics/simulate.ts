@@ -8,7 +8,7 @@ import type { Trajectory } from './trajectory.ts'
 
 /**
  * A run of an experiment that the caller drives, one `frame(dt)` at a time, as a game loop does. The experiment's
- * `frames` and `duration` say nothing here: the caller's frames do.
+ * `frames` and `duration` are ignored: the caller decides both.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
@@ -33,7 +33,7 @@ export function simulate(experiment: Experiment): Trajectory {
       ? evaluations + evaluationsAFrame * loop.expectedFrames
       : limits.evaluations
   while (loop.next()) {
-    // What no forecast of the work has seen coming, such as a step cut into thousands.
+    // For work that no forecast covers, such as a step that is cut into thousands of parts.
     if (run.evaluations > most) run.abandon()
     recorder.record(run)
   }
