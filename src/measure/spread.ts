@@ -2,9 +2,9 @@ import { simulate, timesteps } from '../physics/index.ts'
 import type { Experiment, FramesChoice, Outcome, Trajectory } from '../physics/index.ts'
 import { scaleOf } from './rounding.ts'
 
-/** How far apart runs of one experiment end that differ in their frames. */
+/** How far apart the runs of one experiment end under different frames. */
 export interface Spread {
-  /** What became of the runs, each outcome once. */
+  /** The outcomes of the runs, each once. */
   readonly outcomes: readonly Outcome['kind'][]
   /**
    * All of them ended on the track, moving or at rest, or all left it, or all diverged. Where they do not agree, no
@@ -22,7 +22,7 @@ export interface Spread {
   readonly scale: number
 }
 
-/** The frames under which a run must end in the same place to be called framerate-independent. */
+/** A method is framerate-independent if its runs end in the same place under all of these frames. */
 const spreadClocks: readonly FramesChoice[] = [
   ...[5, 10, 15, 24, 30, 60, 120, 144, 240].map((fps) => ({ kind: 'steady', fps }) as const),
   { kind: 'jitter', fps: 60, amount: 0.9, seed: 1 },
