@@ -52,7 +52,7 @@ export function linearAxis(from: number, to: number, unit: string, padded = true
   }
 }
 
-/** The same for few words: no unit, and no idle zeros. It may run the other way, from a large value to a small one. */
+/** A linear axis with short labels: no unit, no trailing zeros. It may run from a large value to a small one. */
 export function shortAxis(from: number, to: number): Axis {
   const range = Math.abs(to - from)
   const decimals = range > 8 ? 0 : range > 0.8 ? 1 : range > 0.08 ? 2 : 3
@@ -91,8 +91,8 @@ export function logScale(from: number, to: number, start: number, end: number): 
 }
 
 /**
- * An axis by powers of ten for errors [m]. What is nothing but rounding stands on a line of its own at the foot, a
- * decade below the smallest error worth the name, however many decades lie between: they would be empty.
+ * An axis by powers of ten for errors [m]. Errors that are rounding stand on a line of their own at the foot, a
+ * decade below the smallest other error: the decades between would be empty.
  *
  * @param smallest of the errors that are not rounding; Infinity if there are none
  * @param largest likewise; 0 if there are none

@@ -3,7 +3,7 @@ import type { Axis } from './axis.ts'
 import type { Box, Point } from './geometry.ts'
 import { write } from './text.ts'
 
-/** From where to where an axis goes. */
+/** The two ends of an axis. */
 export type Range = readonly [from: number, to: number]
 
 /** A box of the canvas with an axis across and one up. */
@@ -34,7 +34,7 @@ function axisFrom(given: Range | Axis): Axis {
   return 'ticks' in given ? given : shortAxis(...given)
 }
 
-/** What an axis is called, at its end: “speed, m/s”. */
+/** The names at the ends of the axes: “speed, m/s”. */
 export interface AxisNames {
   readonly across?: string
   readonly up?: string
@@ -118,7 +118,7 @@ export function drawCurve(
   context.setLineDash([])
 }
 
-/** From here on, until the context is restored, nothing is drawn outside a box. */
+/** Clips drawing to a box until the context is restored. */
 export function clipTo(context: CanvasRenderingContext2D, { left, top, right, bottom }: Box): void {
   context.beginPath()
   context.rect(left, top, right - left, bottom - top)

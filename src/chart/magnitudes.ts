@@ -19,7 +19,7 @@ export function sizeText(value: number): string {
   return value < 1e-6 && value > 0 ? `${plain(value * 1e9)}${thin}nm` : metres(value)
 }
 
-/** The same to two digits, which is as much as can be seen. */
+/** A distance like `sizeText`, to two digits. */
 export function roughSize(value: number): string {
   return sizeText(Number(value.toPrecision(2)))
 }
@@ -29,7 +29,7 @@ export function residualText(value: number, unit: string): string {
   const size = Math.abs(value)
   if (size === 0) return 'rounding'
   if (size >= 1000 || Number.isNaN(size)) return `${plain(value)}${thin}${unit}`
-  // Where thousandths say enough all have them, so that points stand under points.
+  // All values have three decimals where that is enough, so that decimal points align.
   if (size >= 0.01) return `${fixed(value, 3)}${thin}${unit}`
   const steps = size >= 1e-3 ? 1 : size >= 1e-6 ? 2 : size >= 1e-9 ? 3 : 4
   return `${plain(value * 1000 ** steps)}${thin}${'mµnp'[steps - 1]!}${unit}`
@@ -48,7 +48,7 @@ export function decadeText(exponent: number): string {
     : `${String(10 ** rest)}${thin}${prefixes[group]!}m`
 }
 
-/** The same with three digits at most before the unit: “100 mm”, “1 µm”, “10 km”. */
+/** A power of ten of a metre with at most three digits before the unit: “100 mm”, “1 µm”, “10 km”. */
 export function decadeTick(exponent: number): string {
   if (exponent >= 6) return `${plain(10 ** exponent)}${thin}m`
   if (exponent >= 3) return `${10 ** (exponent - 3)}${thin}km`

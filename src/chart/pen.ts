@@ -1,14 +1,14 @@
-/** No canvas is drawn finer than that for a page that enlarges it. */
+/** The finest resolution of a canvas on a page that enlarges it. */
 const FINEST = 4
 
-/** By how much the page scales canvases, by a transform or by `zoom`; 1 where it was not asked. */
+/** The page's scale of each canvas, from transforms or `zoom`; 1 if not measured. */
 const scales = new WeakMap<HTMLCanvasElement, number>()
 
-/** Measures by how much the page scales a canvas: to be called when that may have changed, since it lays the page out. */
+/** Measures the page's scale of a canvas. Call it only when that may have changed: it forces a layout. */
 export function measureScale(canvas: HTMLCanvasElement): void {
   const { offsetWidth } = canvas
   const { width } = canvas.getBoundingClientRect()
-  // Of what is not displayed nothing is known, and a difference of less than a pixel is none.
+  // A canvas that is not displayed has no size; ignore differences of less than a pixel.
   const isScaled = offsetWidth > 0 && Math.abs(offsetWidth - width) >= 1
   scales.set(canvas, isScaled ? width / offsetWidth : 1)
 }
@@ -18,7 +18,7 @@ export function pixelRatio(canvas: HTMLCanvasElement): number {
   return Math.min(FINEST, (scales.get(canvas) ?? 1) * window.devicePixelRatio)
 }
 
-/** A canvas's pen in CSS pixels, on a canvas of that size [px]. What was drawn stays if the size does. */
+/** A canvas's pen in CSS pixels, on a canvas of that size [px]. The drawing is kept if the size does not change. */
 export function penOf(
   canvas: HTMLCanvasElement,
   width: number,
@@ -35,7 +35,7 @@ export function penOf(
   return pen
 }
 
-/** The same on an empty canvas. */
+/** Like `penOf`, on an emptied canvas. */
 export function cleared(
   canvas: HTMLCanvasElement,
   width: number,

@@ -13,12 +13,12 @@ interface SetText {
 const settings = new Map<string, SetText>()
 const MOST_SETTINGS = 2000
 
-/** To be called when a font has been loaded: texts may have become wider or narrower. */
+/** Call this when a font has loaded: the widths of texts may have changed. */
 export function forgetWidths(): void {
   settings.clear()
 }
 
-/** As wide as `write` sets it, in the context's font. To ask a context for that is slow: who knows it says it. */
+/** The width of a text as `write` draws it [px]. Pass `font` if known: reading it from a context is slow. */
 export function widthOf(
   context: CanvasRenderingContext2D,
   text: string,

@@ -9,7 +9,7 @@ export function roundBelow(limit: number): number {
   return clean((digit * slack >= 5 ? 5 : digit * slack >= 2 ? 2 : 1) * power)
 }
 
-/** The smallest round number that is not below a positive limit. */
+/** The smallest round number that is not less than a positive limit. */
 export function roundAbove(limit: number): number {
   const power = 10 ** Math.floor(Math.log10(limit))
   const digit = limit / power

@@ -1,4 +1,7 @@
-/** The keys that a control uses by itself, as the browser has it. What a script of ours uses it prevents the default of. */
+/**
+ * The keys that a control uses by itself, as the browser defines them. The project's own scripts prevent the default of
+ * the keys that they use.
+ */
 const uses: readonly (readonly [controls: string, keys: RegExp])[] = [
   ['select', /^(.|Enter|Arrow\w+|Home|End|Page\w+)$/],
   ['input[type=range], .scroll', /^(Arrow\w+|Home|End|Page\w+)$/],

@@ -11,7 +11,7 @@ const DURATION = 2
 const EVERY = 0.3
 const names = ['steady', 'scattered', 'stalling'] as const
 
-/** The finished step under frames of three kinds, all of them the reader's. */
+/** The finished step under frames of three kinds, all set by the reader. */
 export const breakIt = figure({
   id: 'break-it',
   title: 'Try to break it',

@@ -1,7 +1,7 @@
 import { exactMotion } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 
-/** Errors of a run against the true motion, a number for each frame, and what they come to [m]. */
+/** The errors of a run against the true motion: one a frame, and their sizes [m]. */
 export interface Errors extends ErrorSizes {
   /** Signed, one for each row of the trajectory. */
   readonly each: Float64Array
@@ -9,7 +9,7 @@ export interface Errors extends ErrorSizes {
   readonly atEnd: number
 }
 
-/** What the errors of a run come to [m]. NaN where the true motion is not known. */
+/** The largest and the root mean square error of a run [m]. NaN if the true motion is not known. */
 export interface ErrorSizes {
   /** The largest in size. */
   readonly largest: number
@@ -27,7 +27,7 @@ export function presentationErrors(trajectory: Trajectory): Errors {
   return errors(trajectory, trajectory.drawnS, trajectory.time)
 }
 
-/** What the presentation errors come to, without a list of them: for many runs. */
+/** The sizes of the presentation errors, without allocating a list of them. */
 export function presentationErrorSizes(trajectory: Trajectory): ErrorSizes {
   return sizes(trajectory, trajectory.drawnS, trajectory.time)
 }

@@ -12,7 +12,7 @@ import type { Experiment, NumberOption, Option, Options, Scene } from '../physic
 const ROUNDS = 2
 
 /**
- * One number for what the physics computes: a hash of every row of 210 runs and more, all scenes × methods × rules with
+ * A hash of what the physics computes: every row of 210 runs and more, all scenes × methods × rules with
  * the policies, the clocks and the parameters in rotation. Engines that agree on it agree on every bit of the runs.
  *
  * @returns how many runs there were, and FNV-1a (Fowler, Noll & Vo, 64 bits) of their bytes in hexadecimal digits
@@ -52,7 +52,7 @@ export function fingerprintExperiments(): Experiment[] {
             stopping,
             timestep: { kind: timestep.id, ...settings(timestep.options, turn) },
             frames: { kind: clock.id, ...settings(clock.options, turn) },
-            // To a tolerance, a method of first order takes hundreds of thousands of steps a second.
+            // A method of first order would take hundreds of thousands of steps a second to a tolerance.
             duration: timestep.id === 'tolerance' ? 0.05 : 1.5,
           } as Experiment)
           turn++
@@ -60,7 +60,7 @@ export function fingerprintExperiments(): Experiment[] {
   return experiments
 }
 
-/** Values within the sliders, ever others from turn to turn. */
+/** Values within the sliders' ranges, different at every turn. */
 function settings(options: Options, turn: number): Record<string, unknown> {
   return Object.fromEntries(
     Object.entries(options).map(([name, option], i) => [name, setting(option, turn + 7 * i)]),

@@ -1,14 +1,14 @@
 import { withoutRounding } from './rounding.ts'
 
-/** What a run costs, and the error that this buys [m]. */
+/** The cost and the error [m] of a run. */
 export interface Offer {
   readonly cost: number
   readonly error: number
 }
 
 /**
- * The offers that no other beats, from the cheapest on: whoever pays less has a larger error. Errors that are rounding
- * are all the same; an error or a cost that is not finite beats nothing.
+ * The offers that no other beats, cheapest first: every cheaper one has a larger error. Errors that are rounding
+ * count as equal; an offer whose error or cost is not finite beats nothing.
  *
  * @param scale the length of the path [m]
  */
@@ -25,7 +25,7 @@ export function frontier<O extends Offer>(offers: readonly O[], scale = 1): O[] 
   return best
 }
 
-/** The cheapest offer with an error no larger than what is tolerated, rounding aside, if there is one. */
+/** The cheapest offer whose error is within the tolerance, rounding aside, if there is one. */
 export function cheapest<O extends Offer>(
   offers: readonly O[],
   tolerance: number,

@@ -1,4 +1,4 @@
-/** What a run is worth: its errors, its order, its energy, its work, its frame-rate spread, the step at which it blows up. */
+/** Measures of a run: errors, order, energy, work, frame-rate spread, and the step at which it blows up. */
 
 export { presentationErrors, presentationErrorSizes, trajectoryErrors } from './error.ts'
 export type { Errors, ErrorSizes } from './error.ts'

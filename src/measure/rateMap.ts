@@ -7,7 +7,7 @@ import { withParameters } from './withParameters.ts'
 
 /** A map over frame rates, from left to right, and the values of a parameter, from bottom to top. */
 export interface MapRequest {
-  /** Its frames say nothing, and its parameter is replaced: the map's are taken. */
+  /** The map replaces its frames and the mapped parameter. */
   readonly experiment: Experiment
   /** The largest error of a run, or how far it ends from the run at `REFERENCE_RATE`. */
   readonly of: 'error' | 'spread'
@@ -32,23 +32,23 @@ export interface MapRow {
   readonly scale: number
 }
 
-/** A cell may not have been looked at; have a value; or none, for one of these reasons. */
+/** The state of a cell: pending, measured, or without a value for one of these reasons. */
 export const cellKinds = [
   'pending',
   'measured',
   'left-the-track',
   'diverged',
-  // It ends on the track, and the run that it is held against does not.
+  // It ends on the track, and its reference run does not.
   'different',
   'refused',
   'unknown',
 ] as const
 export type CellKind = (typeof cellKinds)[number]
 
-/** What a spread is taken against: most players' frame rate [fps]. */
+/** The rate that spreads are measured against: most players' frame rate [fps]. */
 export const REFERENCE_RATE = 60
 
-/** The first look at a map takes one row and one column in this many. */
+/** The first, coarse pass over a map computes one row and one column in this many. */
 export const COARSE = 8
 
 /** The frame rate at the middle of a column, to three digits, as a reader would type it [fps]. */
@@ -66,14 +66,14 @@ export function mappedExperiment(request: MapRequest, column: number, row: numbe
   return cellExperiment(request, rateAt(request, column), row)
 }
 
-/** The row and column on which the first, coarse look stands for the cells around them. */
+/** The row or column that stands for its neighbours in the coarse pass. */
 export function coarseCell(index: number, count: number): number {
   return Math.min(count - 1, index - (index % COARSE) + COARSE / 2)
 }
 
 /**
- * Computes a map, a row at a time: first a coarse one of every eighth cell both ways, then all of it. A row of the second
- * look has all of its cells.
+ * Computes a map, a row at a time: first a coarse pass over every eighth cell both ways, then all of it. A row of the second
+ * pass has all of its cells.
  */
 export function* rateMap(request: MapRequest): Generator<MapRow> {
   const { rows, columns } = request
@@ -106,7 +106,7 @@ function mapRow(request: MapRequest, row: number, columns: readonly number[]): M
     }
   } catch (error) {
     if (!(error instanceof ExperimentError)) throw error
-    // What can't be run at one frame rate is a matter of the parameter, and so of the row.
+    // What can't be run at one frame rate is due to the parameter, and so holds for the whole row.
     kinds.fill(cellKinds.indexOf('refused'))
   }
   return { row, values, kinds, scale }

@@ -2,9 +2,9 @@ import { simulate, timesteps } from '../physics/index.ts'
 import type { Experiment, FramesChoice, Outcome, Trajectory } from '../physics/index.ts'
 import { scaleOf } from './rounding.ts'
 
-/** How far apart runs of one experiment end that differ in their frames. */
+/** How far apart the runs of one experiment end under different frames. */
 export interface Spread {
-  /** What became of the runs, each outcome once. */
+  /** The outcomes of the runs, each once. */
   readonly outcomes: readonly Outcome['kind'][]
   /**
    * All of them ended on the track, moving or at rest, or all left it, or all diverged. Where they do not agree, no

@@ -3,10 +3,10 @@ import type { Experiment, ResolvedExperiment } from '../physics/index.ts'
 import { frameRateSpread } from './spread.ts'
 import type { Spread } from './spread.ts'
 
-/** A way to turn frames into motion. */
+/** A method: how frames become motion. */
 export type Method = Readonly<Pick<ResolvedExperiment, 'timestep' | 'integrator' | 'stopping'>>
 
-/** The paper's step, as a game would have it: whatever the frame lasted, times the new velocity; friction against it. */
+/** The paper's step, once a frame: the frame's length times the new velocity, with naive friction. */
 export const paperMethod: Method = {
   integrator: 'semi-implicit-euler',
   stopping: 'naive',
@@ -24,7 +24,7 @@ export function spreadMethods({
 /** Methods × experiments. */
 export interface SpreadRequest {
   readonly methods: readonly Method[]
-  /** A column each; what they say of method and frames is replaced. */
+  /** A column each; their method and frames are replaced. */
   readonly experiments: readonly Experiment[]
 }
 
@@ -35,7 +35,7 @@ export interface SpreadRow {
 }
 
 /**
- * Computes the table, row by row. Between two cells it yields nothing, so that whoever drives it can stop.
+ * Computes the table, row by row. It yields undefined between two cells, so that the caller can stop.
  *
  * @throws ExperimentError for an experiment that can't be run
  */

@@ -8,7 +8,7 @@ import type { Clock } from './work.ts'
 
 /** What is swept: methods × step lengths and tolerances, everything else as in the experiment. */
 export interface SweepRequest {
-  /** Its integrator, timestep and frames say nothing: the sweep's do. */
+  /** Its integrator, timestep and frames are ignored: the sweep sets them. */
   readonly experiment: Experiment
   readonly methods: readonly IntegratorId[]
   /** Steps a second. */
@@ -25,7 +25,7 @@ export interface Settings {
   readonly settings: readonly number[]
 }
 
-/** What a method did, a number for each of its settings. */
+/** The results of a method, one for each of its settings. */
 export interface SweepCurve extends Settings {
   /** The largest error of the run [m]. */
   readonly errors: Float64Array
@@ -41,9 +41,9 @@ export interface SweepCurve extends Settings {
 
 /** How long a simulated second takes with a method, numbers for each of its settings [ns]. */
 export interface TimedCurve extends Settings {
-  /** The least of the rounds so far: what the work takes undisturbed. */
+  /** The shortest time of the rounds so far: the one that other programs disturbed least. */
   readonly nanoseconds: Float64Array
-  /** The most of them. */
+  /** The longest time of the rounds so far. */
   readonly slowest: Float64Array
 }
 
@@ -54,7 +54,7 @@ export const outcomeKinds: readonly Outcome['kind'][] = [
   'diverged',
 ]
 
-/** From a slide show to what no screen shows, about evenly on a logarithmic scale [steps/s]. */
+/** From far below to far above any screen's rate, about evenly on a logarithmic scale [steps/s]. */
 export const sweepRates: readonly number[] = [
   ...[5, 7.5, 10, 15, 20, 30, 45, 60, 90, 120, 180, 240, 360, 480, 720, 960],
 ]
@@ -68,22 +68,22 @@ export const sweepTolerances: readonly number[] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7,
  */
 const TOLERANT_FPS = 5
 
-/** Tolerances for which a method of order p takes some 1/this steps a second are the smallest that it is asked for [s]. */
+/** The shortest typical step of a run to a tolerance: a method gets no smaller tolerance than one that needs it [s]. */
 const SHORTEST = 1e-4
 
-/** All methods there are. */
+/** All integrators. */
 export const sweepMethods: readonly IntegratorId[] = integrators.map(({ id }) => id)
 
-/** How often the time of each point is taken: the least of them counts. */
+/** The number of timings of each point; the shortest counts. */
 export const TIMED_ROUNDS = 6
 
-/** A clock that ticks more seldom is not worth waiting for [ms]: a sweep would take a quarter of an hour. */
+/** The coarsest usable clock tick [ms]: with a longer one, a sweep would take a quarter of an hour. */
 const COARSEST_TICK = 2
 
 /** An order is fitted to the finest so many points above rounding, and to no fewer than three. */
 const FITTED = 6
 
-/** The run behind a point: a step a frame, so that the lab shows the very same. */
+/** The run of a point: one step a frame, so that the lab can show exactly the same run. */
 export function sweptExperiment(
   { experiment }: Pick<SweepRequest, 'experiment'>,
   integrator: IntegratorId,
@@ -112,7 +112,7 @@ export function curvesOf({ methods, rates, tolerances }: SweepRequest): Settings
   const byTolerance = methods.map((method) => {
     const { order, orderWithSpeed }: Integrator = integrators.find(({ id }) => id === method)!
     const least = SHORTEST ** Math.min(order, orderWithSpeed)
-    // A power of ten is rounded, and so is this.
+    // Powers of ten are rounded, and so is this limit.
     const settings = tolerances.filter((tolerance) => tolerance >= 0.99 * least)
     return { method, by: 'tolerance', settings } as const
   })
@@ -123,7 +123,7 @@ export function curvesOf({ methods, rates, tolerances }: SweepRequest): Settings
 }
 
 /**
- * Runs the sweep, curve by curve. Between two points it yields nothing, so that whoever drives it can stop.
+ * Runs the sweep, curve by curve. It yields undefined between two points, so that the caller can stop.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
@@ -147,8 +147,8 @@ export function* sweep(request: SweepRequest): Generator<SweepCurve | undefined>
 }
 
 /**
- * Takes the time of each point of a sweep, curve by curve, and all of it again: what disturbs one round does not
- * disturb the next in the same place. It yields as `sweep` does, each curve as often as there are rounds.
+ * Times each point of a sweep, curve by curve, in several rounds: a disturbance in one round does not
+ * hit the same point in the next. It yields like `sweep`, each curve once a round.
  *
  * @throws ExperimentError for an experiment that can't be run, RangeError where the clock is too coarse
  */
@@ -184,7 +184,7 @@ function coarseClock(tick: number): string {
   return `This browser’s clock ${how}, too coarse to time a run. Evaluations are shown instead.`
 }
 
-/** A point stands for a whole run: one that left the track or blew up, or has no truth to be held to, does not count. */
+/** Whether a point counts: not if its run left the track or blew up, or if the true motion is not known. */
 export function counts({ errors, outcomes }: SweepCurve, i: number): boolean {
   const kind = outcomeKinds[outcomes[i]!]!
   return (kind === 'moving' || kind === 'at-rest') && Number.isFinite(errors[i]!)

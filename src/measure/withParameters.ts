@@ -1,8 +1,8 @@
 type Values = Readonly<Record<string, unknown>>
 
 /**
- * Parameters with some of them set anew. Static friction is never below kinetic: where one of the two is set, the other
- * follows it. Both set are left to the check, as is anything but a number.
+ * Replaces some parameters. Static friction is never below kinetic: if one of the two is set, the other
+ * follows it. If both are set, or one is not a number, `parseExperiment` checks them.
  */
 export function withParameters<P extends Values, V extends Values>(parameters: P, set: V): P & V {
   const all: P & V = { ...parameters, ...set }

@@ -1,23 +1,23 @@
 import { createRun, simulate } from '../physics/index.ts'
 import type { Experiment, Trajectory } from '../physics/index.ts'
 
-/** The time on some clock [ms]: `performance.now`, or a clock of a test. */
+/** Returns the time [ms]: `performance.now`, or a test's clock. */
 export type Clock = () => number
 
-/** A measurement lasts at least so many ticks of its clock: it is right to 2 %. */
+/** The least length of a measurement in clock ticks: this makes it accurate to 2 %. */
 const TICKS = 50
 
-/** And at least so long [ms], however finely the clock ticks: a shorter one is all interruptions. */
+/** The least length of a measurement [ms], however fine the clock: interruptions dominate a shorter one. */
 const LONG_ENOUGH = 1
 
 /** So many ticks are looked at to find the length of one, in so many readings at most. */
 const TICKS_SEEN = 5
 const MOST_READINGS = 2_000_000
 
-/** So many runs are made ready at a time, before the clock is looked at. */
+/** The most runs that are prepared at a time, before the clock is read. */
 const MOST_AT_ONCE = 256
 
-/** So many times that, and no more, however short the runs. */
+/** The most batches of runs, however short the runs. */
 const MOST_BATCHES = 1024
 
 /** Evaluations of the acceleration for each simulated second. NaN for a run of no length. */
@@ -25,7 +25,7 @@ export function evaluationsPerSecond({ evaluations, time }: Trajectory): number 
   return evaluations / time[time.length - 1]!
 }
 
-/** The tick of a clock [ms]: the shortest step seen in a few. Infinity for a clock that stands. */
+/** The tick of a clock [ms]: the shortest step seen in a few. Infinity for a clock that does not advance. */
 export function tickOf(clock: Clock): number {
   let tick = Infinity
   let last = clock()
@@ -41,12 +41,12 @@ export function tickOf(clock: Clock): number {
 }
 
 /**
- * Time that one simulated second takes [ns], frame by frame as a game takes it: many runs of the experiment, made ready
- * before the clock is looked at. One measurement; the least of several is what the work takes without disturbance.
+ * Time that one simulated second takes [ns], frame by frame as a game takes it: many runs of the experiment, prepared
+ * before the clock is read. This is one measurement; the least of several is the least disturbed.
  *
  * @param clock what tells the time
  * @param tick of the clock [ms], from `tickOf`
- * @returns NaN where the work is over before the clock has ticked often enough
+ * @returns NaN if the work ends before the clock has ticked often enough
  * @throws ExperimentError for an experiment that can't be run
  */
 export function nanosecondsPerSecond(experiment: Experiment, clock: Clock, tick: number): number {

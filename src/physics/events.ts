@@ -10,17 +10,17 @@ type Event = 'turn' | 'joint' | 'take-off'
 
 const MOST_HALVINGS = 60
 const MOST_ITERATIONS = 100
-// To a joint at s = 0 that is nearer, a step would be of denormal length, with next to no digits [m].
+// Nearer to a joint at s = 0 than this, a step would have a denormal length with next to no digits [m].
 const NEAREST = 1e-300
-// What rounding may leave of a residual whose terms have a size of one: the few hundred operations of a step each add an ulp.
+// The rounding error of a residual with terms of size 1: each of a step's few hundred operations adds an ulp.
 const ROUNDING = 1000 * Number.EPSILON
 
-// A block that turns beyond a joint by no more than the rounding of its place turns at the joint.
+// A block that turns beyond a joint by no more than its position's rounding turns at the joint.
 const TOUCH = 16 * Number.EPSILON
 
 /**
  * Takes a step of `motion.dt`, or one that is shortened to end at the first event inside: at v = 0 exactly, or at the
- * joint exactly. Leaves in `motion.dt` how long it was. Where no such step can be found the motion ends as diverged.
+ * joint exactly. Leaves its length in `motion.dt`. If no such step can be found, the motion ends as diverged.
  */
 // #region event
 export function stepToEvent(motion: Motion, integrator: Integrator): void {
@@ -44,9 +44,9 @@ function isOutside({ s, from, to }: Motion): boolean {
   return s > to || s < from
 }
 
-/** Ends a step at the first event in it. A trial that can't be trusted is halved first. */
+/** Ends a step at the first event in it. An implausible trial is halved first. */
 function shortenToEvent(motion: Motion, integrator: Integrator): void {
-  // Too far off for any real motion: it has diverged.
+  // Implausible however short the step: the motion has diverged.
   if (Math.abs(motion.s) >= FAR) return
   for (let i = 0; !isPlausible(motion); i++) {
     if (i === MOST_HALVINGS) return motion.end('diverged')
@@ -72,7 +72,7 @@ function shortenToEvent(motion: Motion, integrator: Integrator): void {
   motion.s = end
 }
 
-/** How far before an event the motion is, in the direction of its sliding: negative past it [m/s, m, m/s²]. */
+/** How far the motion is from an event, along the slip direction: negative beyond it [m/s, m, m/s²]. */
 function residual(event: Event, motion: Motion): number {
   const { s, v, slip, from, to, law } = motion
   if (event === 'turn') return slip * (v - law.belt)
@@ -82,8 +82,8 @@ function residual(event: Event, motion: Motion): number {
 }
 
 /**
- * Ends a step where the block takes off. Along a crest press grows up to the top and falls beyond it, and a press below 0
- * falls on; so the step's end tells whether there is such a place, and there is one at most.
+ * Ends a step where the block takes off. Along a crest, press grows up to the top and falls beyond it; once below 0, it
+ * keeps falling. So the sign at the step's end shows whether the block takes off, and it does so once at most.
  */
 function takeOff(motion: Motion, integrator: Integrator): void {
   if (!locate('take-off', motion, integrator)) return motion.end('diverged')
@@ -97,36 +97,36 @@ function retake(motion: Motion, integrator: Integrator, dt: number): void {
   integrator.step(motion)
 }
 
-/** Whether a trial's speed and distance are at most twice what its start can pay for: the step has kept its stability. */
+/** Whether a trial's speed and distance are at most twice what the energy at its start allows: the step is stable. */
 function isPlausible(motion: Motion): boolean {
   const { s, v, dt, slip, startS, tangential, curvature, law } = motion
   if (curvature === 0 && law.stiffness === 0 && law.drag === 0) return true
-  // Air brakes a block that gravity pulls on, but does not turn it.
+  // Air slows a block that gravity pulls along, but never turns it.
   if (law.drag > 0 && hasTurned(motion) && slip * tangential > 0) return false
   const most = 2 * fastest(motion)
   return Math.abs(v) <= most && Math.abs(s - startS) <= most * dt
 }
 
-/** The speed that the energy at the start of the step and the forces in it can give at the most [m/s]. */
+/** The highest speed that the energy at the start of the step and its forces allow [m/s]. */
 function fastest({ startS, startV, dt, tangential, weight, law }: Motion) {
   const { stiffness } = law
   if (stiffness === 0) return Math.abs(startV) + law.gravity * dt
-  // The amplitude of the swing, by the distance from where spring, gravity and friction balance.
+  // The amplitude of the swing, from the distance to the point where spring, gravity and friction balance.
   const force = Math.abs(tangential - stiffness * startS) + law.muKinetic * weight
   return Math.abs(startV) + force / Math.sqrt(stiffness)
 }
 
-/** Whether a block that nothing resists may have been over the end of its piece before it turned. */
+/** Whether a block without friction and drag may have crossed the end of its piece before it turned. */
 function mayReachEnd(motion: Motion): boolean {
   const { startS, dt, slip, from, to } = motion
   return (slip > 0 ? to - startS : startS - from) <= fastest(motion) * dt
 }
 
 /**
- * Shortens a step that went past an event so that it ends there: finds the length for which the integrator's own step
- * from the same start ends at the event to rounding. Returns whether it has found a root.
+ * Shortens a step that passed an event so that it ends there: finds the length for which the integrator's own step
+ * from the same start ends at the event to rounding. Returns whether there is such a length.
  *
- * Regula falsi in the form of Anderson and Björck (1973), which keeps the root bracketed, with a bisection now and then
+ * Regula falsi in the form of Anderson and Björck (1973), which keeps the root bracketed, with occasional bisections
  * so that the bracket is sure to close. Its tolerance comes from the start of the step and its length, never from the trial's end.
  */
 function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
@@ -138,12 +138,12 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   const size = sizeOf(event, motion)
   const small = Number.EPSILON * Math.max(size, before)
   const limit = ROUNDING * Math.max(size, before, event === 'turn' ? fastest(motion) : 0)
-  // Its press is 0 to begin with, and falls; or the joint is at hand already.
+  // The press is 0 from the start, and falls; or the block is already at the joint.
   if (event === 'take-off' ? before <= 0 : event === 'joint' && before < NEAREST) {
     motion.dt = 0
     return true
   }
-  // A block that has just set off is at v = 0 to begin with: the turn is the one after that.
+  // A block that has just set off starts at v = 0: look for the turn after that.
   for (let i = 0; before <= 0; i++) {
     if (i === MOST_HALVINGS) return false
     early = 0.5 * (i === 0 ? late : early)
@@ -158,7 +158,7 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
     const here = residual(event, motion)
     if (Math.abs(here) <= small) return true
     if (late - early <= Number.EPSILON * late) return Math.abs(here) <= limit
-    // The end that stays while the other moves twice is given less weight, so that it moves next.
+    // An end that stays while the other moves twice gets less weight, so that it moves next.
     if (here > 0) {
       if (lastSide > 0) after *= lessWeight(here, before)
       early = length
@@ -174,7 +174,7 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
   return Math.abs(residual(event, motion)) <= limit
 }
 
-/** The size of the terms of a residual that don't vanish with it [m/s, m, m/s²]. */
+/** The size of the terms whose difference is the residual, for its rounding error [m/s, m, m/s²]. */
 function sizeOf(event: Event, { slip, from, to, law }: Motion): number {
   if (event === 'turn') return Math.abs(law.belt)
   if (event === 'joint') return Math.abs(slip > 0 ? to : from)

@@ -1,7 +1,7 @@
 /**
- * A running sum that is off by one rounding however many terms it has: the part that each addition would
- * round away is kept beside it (Møller, Knuth: the two-sum). Times that come as a list of durations are
- * added with it, so that a clock does not drift over millions of frames.
+ * A running sum with one rounding error, however many terms it has: the part that each addition would
+ * round away is kept beside it (Møller, Knuth: two-sum). Times that are sums of durations are
+ * computed with it, so that a clock does not drift over millions of frames.
  */
 export class ExactSum {
   private high = -0

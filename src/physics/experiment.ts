@@ -17,12 +17,12 @@ export type Timestep = Chosen<(typeof timesteps)[number]>
 export type FramesChoice = Chosen<(typeof frameClocks)[number]>
 
 /**
- * Everything that determines a run, as plain JSON: the same object in an address, an attribute, a message, a test.
- * SI units; angles in degrees. What is left out is at its default.
+ * Everything that determines a run, as plain JSON: the same object in addresses, attributes, messages and tests.
+ * SI units; angles in degrees. Properties that are left out have their defaults.
  */
 export interface Experiment {
   scene: SceneId
-  /** Of the scene; in range one by one (each scene's `parameters` says which) and together. */
+  /** The scene's parameters, each in the range that the scene gives, and consistent with each other. */
   parameters?: Readonly<Partial<Record<ParameterName, number>>>
   /** Default: velocity Verlet. */
   integrator?: IntegratorId
@@ -36,7 +36,7 @@ export interface Experiment {
   duration?: number
 }
 
-/** An experiment with nothing left out. */
+/** An experiment with every default filled in. */
 export interface ResolvedExperiment {
   scene: SceneId
   parameters: Readonly<Record<string, number>>
@@ -47,7 +47,7 @@ export interface ResolvedExperiment {
   duration: number
 }
 
-/** What an experiment is where it says nothing. */
+/** The defaults of an experiment. */
 export const defaults = {
   integrator: 'velocity-verlet',
   stopping: 'located',
@@ -55,14 +55,14 @@ export const defaults = {
   frames: { kind: 'steady', fps: 60 },
 } as const
 
-/** The bounds of what a run may ask for. */
+/** Upper bounds for a run. */
 export const limits = {
   /** [s] */
   duration: 1e6,
   frames: 1e6,
   steps: 5e6,
-  /** Of the acceleration, those that locate events included: some seconds. */
+  /** Evaluations of the acceleration, including those that locate events: a few seconds of work. */
   evaluations: 1e8,
-  /** Of a run to a tolerance, whose work no forecast sees coming: a second or two, and what easy frames take. */
+  /** Bounds for a run to a tolerance, whose work can't be forecast: a second or two, plus an allowance a frame. */
   toTolerance: { evaluations: 5e6, evaluationsAFrame: 100 },
 } as const

@@ -18,16 +18,16 @@ export interface ForceVectors {
   across: Vector
   /** G = m g. */
   gravity: Vector
-  /** N = m press n̂: what keeps the block on the track; on a slope −m (g·n̂) n̂. */
+  /** The normal force, N = m press n̂; on a straight slope −m (g·n̂) n̂. */
   normal: Vector
-  /** Sliding: −μk |N| v̂. At rest: whatever holds the block, up to μs |N|. */
+  /** Sliding: −μk |N| v̂. At rest: whatever balances the drive, up to μs |N|. */
   friction: Vector
-  /** The scene's own force along the track: the spring's, or the drag of air. */
+  /** The scene's own force along the track: the spring's, or air drag. */
   other: Vector
   sum: Vector
   /** The sum divided by the mass [m/s²]. */
   acceleration: Vector
-  /** Whether friction holds the block, brakes it, or does not act: there is none, or the stopping rule leaves it out. */
+  /** Whether friction holds the block, brakes it, or is absent: from the scene, or by the stopping rule. */
   frictionKind: 'held' | 'sliding' | 'none'
 }
 
@@ -46,12 +46,12 @@ export function forcesAt(experiment: Experiment, { s, v }: State): ForceVectors 
   const along = { x: direction.cos, y: -direction.sin }
   const across = { x: direction.sin, y: direction.cos }
   const motion = new Motion(law, s, v, true)
-  // Without a direction of sliding there is no friction in the acceleration.
+  // Without a slip direction the acceleration contains no friction.
   motion.slide(0)
   const drive = motion.acceleration(s, v)
-  // A track does not pull: a block that is too fast for a crest has left it.
+  // A track can't pull: a block that is too fast for a crest has left it.
   const press = Math.max(0, motion.weight + motion.curvature * (v * v))
-  // A rule that goes by the direction of sliding alone knows no friction where there is none.
+  // A rule that only knows the slip direction applies no friction to a block that does not slide.
   const atRest = v === law.belt && entry(stoppings, stopping).holdsSlip
   const held = atRest && law.muStatic > 0 && !motion.setsOff()
   const slip = atRest ? motion.slip : Math.sign(v - law.belt)

@@ -9,10 +9,10 @@ export interface Frames {
   next(): void
 }
 
-/** A way in which frames follow each other; `Choice` is what an experiment says of it. */
+/** A rule for the lengths of frames; `Choice` is the JSON with which an experiment chooses it. */
 export interface FrameClock<Choice = never> extends Described {
   readonly options: Options
-  /** How many frames a run of that many seconds has at the most; chance may add a few. */
+  /** The largest number of frames in a run of `duration` seconds; a random clock may exceed it by a few. */
   frames(choice: Choice, duration: number): number
   start(choice: Choice): Frames
 }

@@ -4,7 +4,7 @@ import type { Motion } from './motion.ts'
 export class Resistance {
   /** For the other end of the step. */
   other: Resistance | undefined
-  /** Where, and at which speed [m, m/s]; NaN where nothing is known yet. */
+  /** The state at which these hold [m, m/s]; NaN if not yet computed. */
   s = NaN
   v = NaN
   /** [m/s²] */
@@ -13,7 +13,7 @@ export class Resistance {
   second = NaN
   third = NaN
 
-  /** Two of them, for the ends of a step. */
+  /** A linked pair, for the two ends of a step. */
   static pair(): Resistance {
     const [one, other] = [new Resistance(), new Resistance()]
     one.other = other
@@ -23,9 +23,9 @@ export class Resistance {
 }
 
 /**
- * Adds the heat, and a belt's work, of the step from its recorded start to the present state: the force of friction and drag times the
- * distance, and never what the energy has lost. On a bend and in air the integral comes from the force and its derivatives at
- * both ends (Hermite's two-point formula); it is of the eighth order, as the best method is.
+ * Adds the heat, and a belt's work, of the step from its recorded start to the present state: friction and drag times
+ * distance, never the loss of energy. On a bend and in air the integral comes from the force and its derivatives at
+ * both ends (Hermite's two-point formula), of eighth order like the best method.
  */
 export function addHeat(motion: Motion): void {
   const { startS, startV, s, v, curvature, law } = motion
@@ -50,7 +50,7 @@ export function addHeat(motion: Motion): void {
   end.v = v
   resist(motion, end)
   let mean = 0.5 * (start.force + end.force)
-  // On steps so long that the force has changed altogether, derivatives say nothing of what lies between.
+  // On steps so long that the force changes completely, the derivatives at the ends say nothing about the middle.
   if (Math.abs(h) * (Math.abs(curvature) * (1 + 2 * muKinetic) + 2 * drag) < 1)
     mean +=
       h * (3 / 28) * (start.first - end.first) +

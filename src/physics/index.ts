@@ -1,4 +1,4 @@
-/** The laws of motion: nothing here knows of a page, a clock or chance. */
+/** The laws of motion. Nothing here depends on a page, the system's clock or unseeded randomness. */
 
 export type {
   Experiment,

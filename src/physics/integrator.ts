@@ -1,15 +1,15 @@
 import type { Described } from './options.ts'
 import type { Motion } from './motion.ts'
 
-/** A way to take one step, and what it claims. Every claim is tested. */
+/** An integrator: its step, and its claims. Every claim is tested. */
 export interface Integrator extends Described {
-  /** The step in the letters of the field, a line each. */
+  /** The step as formulas, one per line. */
   readonly formula: readonly string[]
   /** The power of dt with which the error falls in smooth motion. */
   readonly order: number
-  /** The same where the force depends on v. */
+  /** The order where the force depends on v. */
   readonly orderWithSpeed: number
-  /** On an oscillation of angular frequency ω a step dt stays bounded for ω dt below this; 0: never. */
+  /** Steps of dt on an oscillation of angular frequency ω stay bounded for ω dt below this; 0: never. */
   readonly stability: number
   /** It preserves phase-space area, so that at a fixed step its energy error stays bounded. */
   readonly symplectic: boolean
@@ -17,6 +17,6 @@ export interface Integrator extends Described {
   readonly evaluations: { readonly least: number; readonly most: number }
   /** Place in the palette, 0 … 7. */
   readonly colour: number
-  /** Moves `motion.s` and `motion.v` on by `motion.dt`, from one evaluation of the acceleration to the next. */
+  /** Advances `motion.s` and `motion.v` by `motion.dt`. */
   step(motion: Motion): void
 }

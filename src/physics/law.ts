@@ -1,7 +1,7 @@
 import type { Parameters } from './state.ts'
 import type { Track } from './track.ts'
 
-/** A block that starts 1e9 m away at 1e9 m/s and falls at 1e6 m/s² for 1e6 s gets neither as far nor as fast [m, m/s]. */
+/** Beyond any valid motion: 1e9 m away, 1e9 m/s and 1e6 m/s² for 1e6 s stay below it [m, m/s]. */
 export const FAR = 1e24
 const FAST = 1e15
 
@@ -15,19 +15,19 @@ export interface Law {
   /** Coefficients of static and kinetic friction, μs ≥ μk. */
   readonly muStatic: number
   readonly muKinetic: number
-  /** Of the spring, per mass: k/m [1/s²]. */
+  /** The spring's stiffness per mass, k/m [1/s²]. */
   readonly stiffness: number
-  /** Of the air, per mass: c/m [1/m]. */
+  /** Air drag per mass, c/m [1/m]. */
   readonly drag: number
-  /** The track's own speed along s, u: 0 but on a belt [m/s]. */
+  /** The track's own speed along s, u: 0 except on a belt [m/s]. */
   readonly belt: number
-  /** A stop changes the force, or how it changes: friction or drag acts. */
+  /** Friction or drag acts, so that the force or its derivative jumps at a turn. */
   readonly turnMatters: boolean
   /** Only a step that has lost its stability exceeds this speed [m/s]. */
   readonly speedLimit: number
 }
 
-/** The law for the parameters of a scene. A force that the scene does not have is 0. */
+/** The law for a scene's parameters. A force that the scene lacks is 0. */
 export function lawOf(track: Track, parameters: Parameters): Law {
   const { gravity = 0, mass = 1, muStatic = 0, muKinetic = 0, beltSpeed: belt = 0 } = parameters
   const stiffness = (parameters.stiffness ?? 0) / mass
@@ -40,8 +40,8 @@ export function lawOf(track: Track, parameters: Parameters): Law {
 }
 
 /**
- * A thousand times the speed that a block on a spring can't exceed, so a million times the energy [m/s]: that of its
- * swing from where it begins about the point of balance, its own, and on a belt what the belt adds. The parts are added as
+ * A thousand times the highest possible speed of a block on a spring, so a million times the energy [m/s]: that of its
+ * swing about the point of balance, its starting speed, and on a belt what the belt adds. The parts are added as
  * if they never cancelled or squared, so that no rounding and no underflow makes it too small for the motion.
  */
 function fastestOnSpring(track: Track, stiffness: number, parameters: Parameters): number {

@@ -1,6 +1,7 @@
 /**
- * The entry of a list with that id; `Named` is its type where the id tells it. The id has passed `parseExperiment`, so
- * there is one.
+ * The entry of a list with an id; `Named` is its type where the id determines it.
+ *
+ * @throws Error if there is none, which cannot happen to an id that has passed `parseExperiment`
  */
 export function entry<T extends { readonly id: string }, Named extends T = T>(
   list: readonly T[],

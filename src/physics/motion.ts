@@ -19,7 +19,7 @@ export class Motion {
   dt = NaN
   /** Time since the start of the step that the timestep policy asked for [s]. */
   elapsed = NaN
-  /** How long that step went on until it was shortened for the first time, or to its end [s]. */
+  /** The length of that step's first part: up to where it was first shortened, or all of it [s]. */
   firstPart = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** Energy that friction and drag have turned into heat [J]. */
@@ -33,12 +33,12 @@ export class Motion {
 
   /** The direction of sliding, which friction opposes. */
   slip: -1 | 0 | 1 = 0
-  /** Friction opposes `slip` throughout a step, and not the sign of each speed at which it is evaluated. */
+  /** Friction opposes `slip` throughout a step, instead of the sign of each speed at which it is evaluated. */
   readonly slipHeld: boolean
-  /** The acceleration at the present state, where `known`: what a step may hand on to the next [m/s²]. */
+  /** The acceleration at the present state if `known`; a step may pass it on to the next [m/s²]. */
   a = NaN
   known = false
-  /** The acceleration here does not depend on the speed, so that one evaluation serves two steps. */
+  /** The acceleration does not depend on the speed here, so that one evaluation serves two steps. */
   reusable = false
 
   // The piece of track that the block is on: its law holds from one distance to the other [m].
@@ -53,16 +53,16 @@ export class Motion {
   weight = NaN
   /** The slip direction times the coefficient of kinetic friction. */
   friction = NaN
-  /** The acceleration is one number all along the piece: by gravity and friction alone, on a straight [m/s²]. */
+  /** The acceleration is constant along the piece: a straight, with gravity and friction alone [m/s²]. */
   private isSteady = false
   private steady = NaN
-  /** Where the block is now, once `findPress` has been called: the normal force per mass, N/m [m/s²]. */
+  /** The normal force per mass, N/m, at the present state; on a bend only after `findPress` [m/s²]. */
   press = NaN
-  /** Where the acceleration is evaluated, and what it is there [m, m/s, m/s²]. */
+  /** The state at which the acceleration is evaluated, and its value there [m, m/s, m/s²]. */
   atS = NaN
   atV = NaN
   atA = NaN
-  // The inverse of the longest step that makes sense here: at rest [1/s], and what each m/s adds [1/m].
+  // The inverse of the longest sensible step on this piece: at rest [1/s], and per m/s of speed [1/m].
   rate = NaN
   ratePerSpeed = NaN
   /** Friction and drag at the end of the last step. */
@@ -89,14 +89,14 @@ export class Motion {
     if (this.isLifted()) this.end('left-the-track')
   }
 
-  /** It has neither come to rest nor left the track nor diverged: there is something to step. */
+  /** The block is neither at rest nor off the track, and has not diverged. */
   get moving(): boolean {
     return this.outcome === 'moving'
   }
 
   /**
-   * dv/dt at a distance along the track and a speed [m/s²]: what an integrator asks for. So short that V8 inlines it
-   * into every integrator and boxes no number to pass it: the law itself reads and writes fields.
+   * dv/dt at a distance along the track and a speed [m/s²], for integrators. It is so short that V8 inlines it
+   * into every integrator and boxes no arguments; the law itself reads and writes fields.
    */
   acceleration(s: number, v: number): number {
     this.atS = s
@@ -105,7 +105,7 @@ export class Motion {
     return this.atA
   }
 
-  /** The law of motion of every scene: sets `atA` to what dv/dt is at `atS` and `atV`. */
+  /** The law of motion of every scene: sets `atA` to dv/dt at `atS` and `atV`. */
   private evaluate(): void {
     this.evaluations++
     if (this.isSteady) {
@@ -114,7 +114,7 @@ export class Motion {
     }
     const { atS: s, atV: v, law } = this
     if (this.curvature !== 0) {
-      // For angles below π/4 this is SinCos.find, written out: a call would take as long as the sums do.
+      // For angles below π/4 this is SinCos.find written out: a call would take as long as the arithmetic.
       const angle = this.slope - this.curvature * (s - this.at)
       const z = angle * angle
       if (z < 0.6) {
@@ -135,7 +135,7 @@ export class Motion {
     if (this.observer !== undefined) this.observer(this)
   }
 
-  /** Sets `tangential` and `weight` to the two parts of gravity at `atS` on a bend. */
+  /** Sets `tangential` and `weight`, the two parts of gravity, at `atS` on a bend. */
   turn(): void {
     const { direction, law } = this
     // #region turn
@@ -168,7 +168,7 @@ export class Motion {
     this.steady = this.tangential - this.friction * this.weight
   }
 
-  /** Calls `observer` after each evaluation of the acceleration; undefined ends that. */
+  /** Calls `observer` after each evaluation of the acceleration; undefined removes it. */
   observe(observer: Observer | undefined): void {
     const { law, slipHeld, curvature } = this
     this.observer = observer
@@ -247,7 +247,7 @@ export class Motion {
     this.known = false
   }
 
-  /** Ends the motion: nothing that is left of the step, and no later one, changes it. */
+  /** Ends the motion: neither the rest of the step nor any later step changes it. */
   end(outcome: 'at-rest' | 'left-the-track' | 'diverged'): void {
     this.outcome = outcome
   }

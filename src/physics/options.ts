@@ -1,6 +1,6 @@
 /**
- * How the things in the lists describe what can be set on them. Menus, sliders, `parseExperiment` and the
- * types of an `Experiment` are all read off these descriptions, so a new scene or clock states each once.
+ * How the entries of the lists describe their options. Menus, sliders, `parseExperiment` and the
+ * types of an `Experiment` all derive from these descriptions, so a new scene or clock states each once.
  */
 
 /** A number that can be set: its meaning, unit, and the range in which it is valid. */
@@ -14,23 +14,23 @@ export interface NumberOption {
   /** The valid range, both ends included. */
   readonly min: number
   readonly max: number
-  /** What `max` amounts to, in words, where it is as good as no bound. */
+  /** The meaning of `max` in words, where it is practically no bound. */
   readonly atMax?: string
   /** Only whole numbers are valid. */
   readonly integer?: boolean
-  /** What a slider offers; typing may go beyond, up to what is valid. */
+  /** The slider's range; typed values may exceed it within `min` and `max`. */
   readonly slider: SliderRange
-  /** What a control shows when the option first appears. */
+  /** The value that a control shows first. */
   readonly initial: number
-  /** May be left out: it is `initial` then. */
+  /** May be left out; the value is then `initial`. */
   readonly optional?: boolean
 }
 
-/** What a slider offers. */
+/** The range and step of a slider. */
 export interface SliderRange {
   readonly from: number
   readonly to: number
-  /** From one place of the slider to the next: of the number, or where it is logarithmic of its decimal logarithm. */
+  /** The step of the slider: in the number, or on a logarithmic slider in its decimal logarithm. */
   readonly step: number
   readonly scale?: 'logarithmic'
 }
@@ -60,10 +60,10 @@ export interface ListOption {
 export type Option = NumberOption | ChoiceOption | ListOption
 export type Options = Readonly<Record<string, Option>>
 
-/** What every entry of a list says about itself. */
+/** What every entry of a list has: an id, a label and an explanation. */
 export interface Described {
   readonly id: string
-  /** As a menu shows it. */
+  /** The name in menus. */
   readonly label: string
   /** One sentence for a reader who meets it for the first time. */
   readonly about: string
@@ -75,7 +75,7 @@ type ValueOf<O> = O extends { type: 'number' }
     ? C
     : readonly number[]
 
-/** The values that a set of options stands for, all of them given. */
+/** A value for every option of a set. */
 export type Values<O extends Options> = { -readonly [K in keyof O]: ValueOf<O[K]> }
 
 type OptionalKeys<O extends Options> = {
@@ -89,7 +89,7 @@ export type Chosen<D> = D extends { id: infer Id; options: infer O extends Optio
     }
   : never
 
-/** As `Chosen`, with nothing left out. */
+/** Like `Chosen`, with every option given. */
 export type ChosenWhole<D> = D extends { id: infer Id; options: infer O extends Options }
   ? { kind: Id } & { [K in keyof O]: ValueOf<O[K]> }
   : never

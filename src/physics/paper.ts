@@ -8,7 +8,7 @@ export interface Body {
   v: Vector
 }
 
-/** What the character slides on, and what pulls it. */
+/** The surface that the character slides on, and gravity. */
 export interface Surface {
   /** Gravitational acceleration [m/s²]. */
   g: Vector
@@ -19,7 +19,7 @@ export interface Surface {
   muStatic: number
 }
 
-/** Which of the corrections are made. */
+/** Which corrections are switched on. */
 export interface Corrections {
   normalIsVector: boolean
   unitSlipDirection: boolean
@@ -48,7 +48,7 @@ export const allCorrected: Corrections = {
  * One step of the paper (Åsbø, An introduction to framerate-independent game physics, 2022, section III), as it is
  * printed wherever a correction is off. `newVelocity` off takes the paper at its word “forward Euler”; its formula
  * uses the new velocity. Where a number is added to a vector, it is added to both components, as shading languages do.
- * The body is left as it was; the new one is returned.
+ * Returns a new body; the given one is not changed.
  */
 // #region step
 export function paperStep(
@@ -79,9 +79,9 @@ export function paperStep(
 }
 // #endregion
 
-/** One place where the paper's text, taken literally, goes wrong. */
+/** A correction of one place where the paper's text is wrong if taken literally. */
 export interface Correction {
-  /** The switch of `paperStep` that makes it; the last two are about what the paper says of methods. */
+  /** The switch of `paperStep` that applies it; the last two corrections concern the paper's text about methods. */
   readonly makes?: keyof Corrections
   readonly printed: string
   readonly happens: string

@@ -14,17 +14,17 @@ import { workProblems } from './work.ts'
 
 const KEYS = ['scene', 'parameters', 'integrator', 'stopping', 'timestep', 'frames', 'duration']
 
-/** What the parameters under an unknown scene are held to. */
+/** The parameters of all scenes, to check those of an unknown scene against. */
 const parametersOfAll: Scene['parameters'] = Object.assign(
   {},
   ...scenes.map(({ parameters }) => parameters),
 )
 
 /**
- * The only way in: turns any value (read from an address, an attribute, a message, a file) into an experiment with
- * nothing left out. Every property is read once, into plain data that shares nothing with the value.
+ * The only entry: turns any value (read from an address, an attribute, a message, a file) into an experiment with
+ * every default filled in. It reads each property once, into plain data that shares nothing with the value.
  *
- * @throws ExperimentError that names every problem: the path, what was given and what is allowed
+ * @throws ExperimentError that names every problem: its path, the given value and what is allowed
  */
 export function parseExperiment(value: unknown): ResolvedExperiment {
   const reader = new Reader()
@@ -35,8 +35,8 @@ export function parseExperiment(value: unknown): ResolvedExperiment {
 }
 
 /**
- * As `parseExperiment`, for a run whose frames its caller gives: `frames` and `duration` may ask for any amount of work,
- * since the run uses neither.
+ * Like `parseExperiment`, for a run that its caller drives: `frames` and `duration` may mean any amount of work,
+ * since such a run uses neither.
  */
 export function parseForRun(value: unknown): ResolvedExperiment {
   const reader = new Reader()
@@ -78,7 +78,7 @@ function readParameters(reader: Reader, value: unknown = {}, scene: Scene | unde
   reader.reportUnknown(path, given, names)
   const parameters = reader.options(path, given, options) as Record<string, number>
   const { muStatic, muKinetic } = parameters
-  // What brakes a block that slides holds it at rest, too. The default of one follows the other where that is given.
+  // If only one coefficient is given, the other one's default follows it where needed, so that μs ≥ μk.
   if (muStatic! < muKinetic!) {
     if (!('muStatic' in given)) parameters.muStatic = muKinetic!
     else if (!('muKinetic' in given)) parameters.muKinetic = muStatic!
@@ -110,14 +110,14 @@ const accepted = new WeakMap<object, ListOption>()
 /** Reads values of every kind, and notes what is wrong instead of stopping at it. */
 class Reader {
   readonly problems: Problem[] = []
-  /** Where a getter or a Proxy threw: what is made of the lack is no problem of its own. */
+  /** Paths where a getter or a Proxy threw: the missing value is not reported again. */
   private readonly unread = new Set<string>()
 
   report(path: string, message: string): void {
     if (!this.unread.has(path)) this.problems.push({ path, message })
   }
 
-  /** No problem so far lies in these properties of the experiment. */
+  /** Whether these properties of the experiment have no problem so far. */
   accepts(...roots: readonly string[]): boolean {
     return !this.problems.some(({ path }) => roots.includes(path.split('.')[0]!))
   }
@@ -127,7 +127,7 @@ class Reader {
     return experiment
   }
 
-  /** The object's own keys, with the values of those that are asked for. */
+  /** The object's own keys, with the values of the requested ones. */
   read(
     path: string,
     value: unknown,
@@ -154,7 +154,7 @@ class Reader {
   reportUnknown(path: string, given: object, known: readonly string[]): void {
     for (const key of Object.keys(given)) {
       if (known.includes(key)) continue
-      // A guess takes a while, and nobody reads a thousand.
+      // Guessing a name is slow, and nobody reads a thousand guesses.
       const name = this.problems.length < MOST_SHOWN ? nearest(key, known) : undefined
       const hint = name ? `did you mean ${name}?` : `known are ${known.join(', ')}`
       this.report(path ? `${path}.${shorten(key)}` : shorten(key), `is not known here; ${hint}`)
@@ -252,7 +252,7 @@ class Reader {
     return undefined
   }
 
-  /** What a getter or a Proxy gives; where it throws, that is a problem. */
+  /** Reads a property; a getter or a Proxy that throws is reported as a problem. */
   private attempt<T>(path: string, get: () => T): T | undefined {
     try {
       return get()

@@ -1,12 +1,12 @@
 /** One thing that is wrong with an experiment. */
 export interface Problem {
-  /** Where, as `frames.fps`; empty for the experiment itself. */
+  /** The path, as `frames.fps`; empty for the experiment itself. */
   path: string
-  /** What was given and what is allowed. */
+  /** The given value and what is allowed. */
   message: string
 }
 
-/** So many problems a message shows; of the rest it says how many there are. */
+/** The most problems that a message lists; it only counts the rest. */
 export const MOST_SHOWN = 20
 
 /** Thrown for an experiment that can't be run; its message is for people and names every problem. */
@@ -26,12 +26,12 @@ export class ExperimentError extends Error {
 
 const LONGEST = 40
 
-/** A value as a message shows it: short, whatever it is. */
+/** A short text for any value in a message. */
 export function show(value: unknown): string {
   try {
     return shown(value)
   } catch {
-    // A Proxy throws what it likes.
+    // A Proxy may throw anything.
     return 'something unreadable'
   }
 }
@@ -46,21 +46,21 @@ function shown(value: unknown): string {
   return shorten(String(value))
 }
 
-/** Text cut to what fits in a message, by whole characters. */
+/** Shortens a text to fit in a message, by whole characters. */
 export function shorten(text: string): string {
-  // A character takes one or two places.
+  // A character takes one or two code units.
   const start = Array.from(text.slice(0, 2 * LONGEST + 2))
   return start.length > LONGEST ? `${start.slice(0, LONGEST).join('')}…` : text
 }
 
-/** The known name that is nearest to what was written, if one is near. */
+/** The known name that is closest to a written one, if any is close. */
 export function nearest(written: string, known: readonly string[]): string | undefined {
   if (written.length > LONGEST) return undefined
   let best: string | undefined
   let fewest = Math.max(2, written.length / 2) + 1
   for (const name of known) {
     const wanted = name.toLowerCase()
-    // Half of a long name is as good as a slip of the pen.
+    // A written part of a name counts as one edit.
     const isPart = written.length > 2 && wanted.includes(written.toLowerCase())
     const edits = isPart ? 1 : editDistance(written.toLowerCase(), wanted)
     if (edits < fewest) {
@@ -71,7 +71,7 @@ export function nearest(written: string, known: readonly string[]): string | und
   return best
 }
 
-/** How many letters must be put in, left out or changed to turn one word into the other (Wagner and Fischer, 1974). */
+/** The insertions, deletions and replacements that turn one word into the other (Wagner and Fischer, 1974). */
 function editDistance(a: string, b: string): number {
   let above = Array.from({ length: b.length + 1 }, (_, j) => j)
   for (let i = 1; i <= a.length; i++) {

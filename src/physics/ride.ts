@@ -1,12 +1,12 @@
 import type { Motion } from './motion.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
-// Where static friction gives way, in parts of the forces that tie there: just beyond what `holds` takes for rounding.
+// Static friction gives way at this relative excess over a tie: just beyond what `holds` counts as rounding.
 const BEYOND_TIE = 16 * Number.EPSILON
 
 /**
- * Moves a block that a belt carries on by `motion.dt`, or by less, which it then leaves there: up to where the spring
- * overcomes static friction, if the rule finds such places. While it rides, the block does not slide: no friction heats it.
+ * Moves a block that rides on a belt by `motion.dt`, or by a shorter time that it leaves there: up to where the spring
+ * overcomes static friction, if the rule locates events. A riding block does not slide, so friction makes no heat.
  */
 export function ride(motion: Motion, rule: StoppingRule): void {
   const { s, law, tangential, weight } = motion
@@ -20,7 +20,7 @@ export function ride(motion: Motion, rule: StoppingRule): void {
     motion.dt = time
     motion.s = release
   } else motion.s = s + belt * motion.dt
-  // Friction balances the spring and gravity: what they take, the belt gives.
+  // Friction balances the spring and gravity, so the belt does the work that they take.
   const middle = 0.5 * (s + motion.s)
   motion.work += mass * (stiffness * middle - tangential) * (motion.s - s)
 }

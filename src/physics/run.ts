@@ -14,10 +14,10 @@ import type { StoppingRule } from './stoppingRule.ts'
 import { policyOf } from './timesteps/index.ts'
 import type { Advance, FrameContext } from './timestepPolicy.ts'
 
-// What rounding may leave of a difference of energies, in parts of their size: some thousand steps add an ulp each.
+// The relative rounding error of a difference of energies: some thousand steps add an ulp each.
 const ROUNDING = 4096 * Number.EPSILON
 
-/** How a run stands or ended, and since when on the physics clock [s]. */
+/** How a run has ended, or that it is still moving; and since when, on the physics clock [s]. */
 export interface Outcome {
   kind: 'moving' | 'at-rest' | 'left-the-track' | 'diverged'
   time: number
@@ -42,14 +42,14 @@ export class Run implements FrameContext {
   lostTime = NaN
   /** Frames so far. */
   frames = 0
-  /** It ended because the timestep policy would have needed more steps than a run may take. */
+  /** The run ended because the timestep policy needed more steps than a run may take. */
   abandoned = false
-  /** Steps that the timestep policy asked for, but for those that it took back. */
+  /** Steps that the timestep policy asked for, without those that it took back. */
   steps = 0
   readonly order: number
   error = NaN
   allowed = NaN
-  /** Who watches a policy that tries steps: told when what was tried is taken back, and when one is kept or refused. */
+  /** Observes a policy that tries steps: called when a try is taken back, and when one is accepted or rejected. */
   watcher: { restored(): void; judged(accepted: boolean): void } | undefined
 
   private outcomeTime = NaN
@@ -64,7 +64,7 @@ export class Run implements FrameContext {
   private readonly energyAt: (s: number, v: number) => number
   private readonly energy: number
 
-  /** @param step what takes each step: `advance`, or what watches it */
+  /** @param step takes each step: `advance`, or a function that observes it */
   constructor(experiment: ResolvedExperiment, step = advance) {
     const scene: Scene = entry(scenes, experiment.scene)
     const { parameters } = experiment
@@ -86,7 +86,7 @@ export class Run implements FrameContext {
     this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
   }
 
-  /** How the run stands. Once the block has left the track or diverged, further frames change nothing but the clock. */
+  /** The outcome so far. Once the block has left the track or diverged, further frames change only the clock. */
   get outcome(): Outcome {
     const kind = this.motion.outcome
     return { kind, time: kind === 'moving' ? this.stateTime : this.outcomeTime }
@@ -98,7 +98,7 @@ export class Run implements FrameContext {
     return !moving && outcome !== 'at-rest'
   }
 
-  /** Heat that friction and drag have made [J]. */
+  /** Heat from friction and drag [J]. */
   get heat(): number {
     return this.motion.heat
   }
@@ -109,10 +109,10 @@ export class Run implements FrameContext {
   }
 
   /**
-   * Moves on by a frame.
+   * Advances the run by one frame.
    *
    * @param duration how long the frame lasts [s], finite and not negative
-   * @throws RangeError where it is not, or where the time of the run would no longer be finite
+   * @throws RangeError if it is not, or if the run's time would no longer be finite
    */
   frame(duration: number): void {
     if (!(typeof duration === 'number' && duration >= 0 && this.time + duration < Infinity))
@@ -126,8 +126,8 @@ export class Run implements FrameContext {
   }
 
   /**
-   * As `frame`, for a clock that counts for itself and has set `frameDuration` and `time`. They are not passed as
-   * arguments, since engines box a number that is.
+   * Like `frame`, but the caller has set `frameDuration` and `time`. They are not passed as
+   * arguments, since engines box number arguments.
    */
   advanceFrame(): void {
     this.frames++
@@ -176,9 +176,9 @@ export class Run implements FrameContext {
   }
 
   /**
-   * Whether friction can have brought the block to rest: at least half of the energy that is gone has become heat. A
-   * method that loses the energy of a swing by itself, in steps too long for it, ends at rest where no block would stop.
-   * That is asked where rests are located and the order is 2 or more: elsewhere they are not promised.
+   * Whether friction can have brought the block to rest: at least half of the lost energy has become heat. A
+   * method whose steps are too long for a swing can damp it by itself, and come to rest where no real block would.
+   * Checked only for located stops and order 2 or more: in other cases no rest is promised.
    */
   private isPaidRest(): boolean {
     const { motion, rule, order, energy } = this

@@ -1,6 +1,6 @@
 import type { Motion } from './motion.ts'
 
-/** How a motion stood, so that a step can be tried and taken back. */
+/** A snapshot of a motion, so that a step can be tried and taken back. */
 export class Saved {
   private s = NaN
   private v = NaN
@@ -28,7 +28,7 @@ export class Saved {
     this.work = motion.work
   }
 
-  /** Returns to it. Evaluations are not taken back: they were made. */
+  /** Restores the snapshot, but for the count of evaluations, which were made. */
   restore(): void {
     const { motion } = this
     motion.s = this.s

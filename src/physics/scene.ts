@@ -6,14 +6,14 @@ import { placeOn } from './track.ts'
 import type { ExactMotion, Parameters, Place } from './state.ts'
 import type { Track } from './track.ts'
 
-/** What a scene is: a track, what can be set, and how it is shown. All else follows from the track. */
+/** The definition of a scene: its track, its parameters and how it is shown. The rest follows from the track. */
 export interface SceneData extends Described {
   readonly parameters: Readonly<Record<string, NumberOption>>
   /** How long a run lasts unless it says otherwise [s]. */
   readonly duration: number
-  /** The side of a picture to which growing s runs: 1 to the right, −1 to the left. */
+  /** The direction of growing s in pictures: 1 to the right, −1 to the left. */
   readonly facing: 1 | -1
-  /** What is wrong with parameters that are each in range but don't go together; undefined where nothing is. */
+  /** The problem with parameters that are each in range but don't go together; undefined if there is none. */
   conflict?(parameters: Parameters): { parameter: string; problem: string } | undefined
   track(parameters: Parameters): Track
 }
@@ -26,13 +26,13 @@ export interface Scene extends SceneData {
   place(parameters: Parameters, s: number): Place
   /** Potential energy per mass at s, gravity's and the spring's [J/kg]. */
   potential(parameters: Parameters, s: number): number
-  /** The true motion, from the closed form or to rounding. */
+  /** The true motion, in closed form or as a series exact to rounding. */
   exact(parameters: Parameters): ExactMotion
 }
 
-/** Completes a scene. A force that it has no parameter for does not act in it. */
+/** Derives the rest of a scene. A force without a parameter in the scene does not act. */
 export function defineScene<const T extends SceneData>(data: T): T & Scene {
-  // A picture asks for hundreds of points of the same track.
+  // Cached: a picture needs hundreds of points of the same track.
   const tracks = new WeakMap<Parameters, Track>()
   const track = (parameters: Parameters): Track => {
     const known = tracks.get(parameters) ?? data.track(parameters)

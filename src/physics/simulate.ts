@@ -7,7 +7,7 @@ import type { Trajectory } from './trajectory.ts'
 
 /**
  * A run of an experiment that the caller drives, one `frame(dt)` at a time, as a game loop does. The experiment's
- * `frames` and `duration` say nothing here: the caller's frames do.
+ * `frames` and `duration` are ignored: the caller decides both.
  *
  * @throws ExperimentError for an experiment that can't be run
  */

@@ -1,4 +1,4 @@
-/** Where a motion stands: distance along the track [m] and speed [m/s]. */
+/** The state of a motion: distance along the track [m] and speed [m/s]. */
 export interface State {
   s: number
   v: number
@@ -13,7 +13,7 @@ export interface Place {
   y: number
   /** The direction of growing s, below the horizontal [rad]. */
   slope: number
-  /** How fast the slope falls off along the track, −dslope/ds: positive where the track bends upwards [1/m]. */
+  /** The curvature, −dslope/ds: positive where the track bends upwards [1/m]. */
   curvature: number
 }
 

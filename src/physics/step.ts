@@ -5,13 +5,13 @@ import type { Motion } from './motion.ts'
 import { ride } from './ride.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
-// Parts of one step, which end at stops, joints and cuts. A real motion has a handful, an oscillation that is far too fast
-// for the step some hundreds; a run that needs more has lost its way.
+// The most parts of one step, which end at stops, joints and cuts. A real motion has a handful, an oscillation far too fast
+// for the step some hundreds; a run that needs more has diverged.
 const MOST_PARTS = 10_000
 
 /**
- * Moves on by `motion.dt` seconds: in one step of the integrator or, where the stopping rule ends a step early, in several.
- * Nothing else moves a block.
+ * Advances by `motion.dt` seconds: in one step of the integrator or, if the stopping rule ends a step early, in several.
+ * Only this function moves a block.
  */
 // #region advance
 export function advance(motion: Motion, integrator: Integrator, rule: StoppingRule): void {
@@ -50,12 +50,12 @@ function accept(motion: Motion): void {
   if (motion.curvature < 0 && motion.isLifted()) motion.end('left-the-track')
 }
 
-/** Ends a motion that has got farther or faster than any real one. */
+/** Ends a motion that is farther or faster than any real one; returns whether it was. */
 function isLost(motion: Motion): boolean {
   const { s, v } = motion
   if (Math.abs(s) < FAR && Math.abs(v) <= motion.law.speedLimit) return false
   motion.end('diverged')
-  // A trajectory holds nothing but finite numbers.
+  // A trajectory contains only finite numbers.
   if (!(Math.abs(s) + Math.abs(v) < Infinity)) motion.rewind()
   return true
 }

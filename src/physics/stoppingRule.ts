@@ -2,12 +2,12 @@ import type { Integrator } from './integrator.ts'
 import type { Described } from './options.ts'
 import type { Motion } from './motion.ts'
 
-/** What happens where the law jumps: where the block stops or turns, and at the joints of the track. */
+/** How a step treats jumps of the law: where the block stops or turns, and at the joints of the track. */
 export interface StoppingRule extends Described {
   /** Keeps the order of every integrator through stops and joints. */
   readonly keepsOrder: boolean
-  /** Friction keeps one direction through a step, and a block with v = 0 is asked whether it stays. */
+  /** Friction keeps one direction through a step, and static friction decides whether a block with v = 0 stays. */
   readonly holdsSlip: boolean
-  /** Takes a step of `motion.dt`, or of less, which it then leaves in `motion.dt`. */
+  /** Takes a step of `motion.dt`, or a shorter one whose length it leaves in `motion.dt`. */
   step(motion: Motion, integrator: Integrator): void
 }

@@ -11,51 +11,51 @@ export interface FrameContext {
     readonly v: number
     dt: number
     readonly moving: boolean
-    /** How long the last step went on until something happened in it, or to its end [s]. */
+    /** The length of the last step's first part: up to its first event, or all of it [s]. */
     readonly firstPart: number
   }
-  /** The power of dt with which the method's error falls, whatever the law. */
+  /** The power of dt with which the method's error falls, also where the force depends on v. */
   readonly order: number
-  /** What the policy says of the frame: the time that the physics state stands at, the time dropped so far [s]. */
+  /** Set by the policy: the time of the physics state, and the time dropped so far [s]. */
   stateTime: number
   lostTime: number
   /** The position to draw; a step sets it to where the block is [m]. */
   drawnS: number
-  /** Takes that many steps of `motion.dt` seconds, `before` of them since the time that `stateTime` holds. */
+  /** Takes `count` steps of `motion.dt` seconds, after `before` earlier ones since the time in `stateTime`. */
   step(count?: number, before?: number): void
-  /** Remembers how the run stands; `restore` returns to that, as often as it is called. */
+  /** Takes a snapshot of the run; each call of `restore` returns to it. */
   save(): void
   restore(): void
-  /** What a policy that tries steps says of one: how far off it is and how far it may be [m], and what becomes of it. */
+  /** Set by a policy that tries steps: a try's error and its tolerance [m], and whether it is accepted. */
   error: number
   allowed: number
   judge(accepted: boolean): void
-  /** Ends the run as diverged, where going on would take more work than a run may. */
+  /** Ends the run as diverged, because it would take more work than a run may. */
   abandon(): void
 }
 
 /** Turns one frame into steps of the motion. */
 export type Advance = (frame: FrameContext) => void
 
-/** How physics time follows from frame time; `Choice` is what an experiment says of it. */
+/** How frame time becomes physics time; `Choice` is the JSON with which an experiment chooses it. */
 export interface TimestepPolicy<Choice = never> extends Described {
   readonly options: Options
-  /** All of the frame time reaches the motion, sooner or later. */
+  /** Part of the frame time may never reach the motion. */
   readonly losesTime: boolean
-  /** About how many steps a run of that many seconds and frames asks for, at the most. */
+  /** An approximate upper bound on the steps of a run of `duration` seconds and `frames` frames. */
   steps(choice: Choice, duration: number, frames: number): number
   start(choice: Choice): Advance
 }
 
 /**
- * More steps than any frame needs and few enough to be over at once (about a millisecond): where a policy names no
- * bound of its own, what a frame would need beyond it is dropped and reported as lost time.
+ * More steps than any frame needs, and few enough to finish in about a millisecond. Where a policy has no
+ * bound of its own, the time beyond this is dropped and reported as lost.
  */
 export const MOST_STEPS_A_FRAME = 100000
 
-/** How many whole steps fit in a time, both given in seconds: 1 s holds sixty steps of 1/60 s, whatever their rounding. */
+/** The number of whole steps in a time, both in seconds: 1 s holds sixty steps of 1/60 s, despite rounding. */
 export function wholeSteps(time: number, step: number): number {
   const steps = time / step
-  // Each of the two times and their ratio is off by half an ulp at most.
+  // The two times and their ratio each have a rounding error of at most half an ulp.
   return Math.floor(steps + 4 * Number.EPSILON * steps)
 }

@@ -7,7 +7,7 @@ import type { State } from './state.ts'
 import { advance } from './step.ts'
 import type { StoppingRule } from './stoppingRule.ts'
 
-/** One evaluation of the forces: where, and what they were per mass [m/s²]. */
+/** One evaluation of the forces: the state, and the forces per mass [m/s²]. */
 export interface Evaluation extends State {
   drive: number
   press: number
@@ -15,39 +15,39 @@ export interface Evaluation extends State {
   a: number
 }
 
-/** One step of the integrator as it was taken, kept or not. */
+/** One step of the integrator as it was tried, accepted or not. */
 export interface TriedStep {
   /** Its length [s]. */
   dt: number
   from: State
   to: State
-  /** The slip direction that was held, 0 where it followed the sign of each v. */
+  /** The slip direction that was held; 0 if friction followed the sign of each v. */
   slip: -1 | 0 | 1
-  /** The acceleration at `from`, where it was known from the step before and served again [m/s²]. */
+  /** The acceleration at `from`, if it was reused from the step before [m/s²]. */
   reused: number | undefined
-  /** One that was reused is not among them. */
+  /** Without a reused one. */
   evaluations: Evaluation[]
 }
 
-/** A stretch without a jump of the law: the tries to find its end, of which the last was kept. */
+/** A part of a step without a jump of the law: the tries to find its end, of which the last was accepted. */
 export interface Stretch {
   /** When it begins, in the step that the policy asked for [s]. */
   begins: number
   tries: TriedStep[]
   /**
-   * What ended it, if not the step's end: a stop, a joint, a take-off, that the law changes too much for a longer step, or
-   * that a trial could not be trusted and was halved.
+   * What ended it, if not the step's end: a stop, a joint, a take-off, a cut because the law changes too much, or
+   * the halving of an implausible trial.
    */
   ends?: 'stop' | 'joint' | 'take-off' | 'cut' | 'halved'
 }
 
-/** An evaluation for a block that does not slide, whether static friction holds it; `a` is the drive to hold against. */
+/** An evaluation that decides whether static friction holds a block that does not slide; `a` is the drive. */
 export interface Standing extends Evaluation {
-  /** When, in the step that the policy asked for [s]. */
+  /** When this happens, in the step that the policy asked for [s]. */
   begins: number
 }
 
-/** One try of a policy that tries steps: how far off it is and how far off it may be [m], and what became of it. */
+/** One try of a policy that tries steps: its error and its tolerance [m], and whether it was accepted. */
 export interface Attempt {
   error: number
   allowed: number
@@ -56,22 +56,22 @@ export interface Attempt {
 
 /** A step that the timestep policy asked for. */
 export interface PolicyStep {
-  /** The policy took it back: it was a try, or half of one that was refused. */
+  /** The policy took it back: it was a whole try, or half of a rejected one. */
   takenBack: boolean
-  /** The try that it was part of: a whole step, two halves, and before them a step that an event cut short. */
+  /** The try that it belongs to: a whole step, two halves, and possibly a step before them that an event cut short. */
   attempt?: Attempt
   dt: number
   from: State
   to: State
   stretches: Stretch[]
-  /** Where no stretch begins with it, static friction held: the block is at rest, or rode on the belt. */
+  /** If no stretch begins with one, static friction held: the block is at rest or rides on the belt. */
   standings: Standing[]
   outcome: Motion['outcome']
 }
 
 /**
- * The steps inside one frame of an experiment, as they ran: the run is repeated up to the frame and observed
- * there, through the same code and to the same bits as `simulate`.
+ * The steps inside one frame of an experiment. The run is simulated again up to the frame and observed
+ * there, with the same code and the same bits as `simulate`.
  *
  * @param frame the row of the trajectory that the frame ends at, 1 or more
  * @throws ExperimentError for an experiment that can't be run, RangeError for a frame that it does not have
@@ -106,7 +106,7 @@ export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] 
   return steps
 }
 
-/** Takes a step as `advance` does, and notes what happens in it. */
+/** Takes a step like `advance`, and records what happens in it. */
 function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): PolicyStep {
   const { dt } = motion
   const from = stateOf(motion)
@@ -119,7 +119,7 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
     const press = weight + curvature * (v * v)
     const evaluation = { s, v, drive, press, a }
     if (evaluations) evaluations.push(evaluation)
-    // Outside a step of the integrator only static friction asks.
+    // Outside a step of the integrator, only static friction evaluates the forces.
     else standings.push({ ...evaluation, begins: motion.elapsed })
   })
   const watchedIntegrator: Integrator = {

@@ -1,11 +1,11 @@
 import type { Place } from './state.ts'
 import { sinCos, radians, sinCosDegrees } from './trigonometry.ts'
 
-/** A stretch of track of constant curvature, from one distance along it to another [m]. */
+/** A piece of track of constant curvature, between two distances along the track [m]. */
 export interface Piece {
   readonly from: number
   readonly to: number
-  /** A distance along the track at which the rest is given [m]. */
+  /** The distance along the track at which `x`, `y` and `slope` are given [m]. */
   readonly at: number
   /** The point there [m]. */
   readonly x: number
@@ -18,10 +18,10 @@ export interface Piece {
   readonly curvature: number
 }
 
-/** A track: its pieces in order. Where the first begins and the last ends at a finite distance, a block can leave it. */
+/** A track: its pieces in order. A block can leave it at an outer end that is at a finite distance. */
 export type Track = readonly Piece[]
 
-/** A straight piece through the origin at s = 0, that many degrees below the horizontal, up to the distance `to`. */
+/** A straight piece through the origin at s = 0, `angle` degrees below the horizontal, up to the distance `to`. */
 export function straight(angle: number, to = Infinity): Piece {
   const { sin, cos } = sinCosDegrees(angle)
   return { from: -Infinity, to, at: 0, x: 0, y: 0, slope: radians(angle), sin, cos, curvature: 0 }
@@ -33,7 +33,7 @@ export function arcAfter(before: Piece, curvature: number, to: number): Piece {
   return { ...before, from: before.to, to, at: before.to, x, y, curvature }
 }
 
-/** The endless straight piece that follows an arc, that many degrees below the horizontal. */
+/** The endless straight piece that follows an arc, `angle` degrees below the horizontal. */
 export function straightAfter(before: Piece, angle: number): Piece {
   const { x, y } = pointOn(before, before.to)
   return { ...straight(angle), from: before.to, at: before.to, x, y }
@@ -48,7 +48,7 @@ export function placeOn(track: Track, s: number): Place {
   return { ...pointOn(piece, s), slope: slope - curvature * (s - at), curvature }
 }
 
-/** A chord of an arc runs half-way between the directions of its ends. */
+/** The direction of an arc's chord is the mean of the directions at its ends. */
 function pointOn({ at, x, y, slope, sin, cos, curvature }: Piece, s: number) {
   const distance = s - at
   if (curvature === 0) return { x: x + cos * distance, y: y - sin * distance }

@@ -1,39 +1,39 @@
 import type { ResolvedExperiment } from './experiment.ts'
 import type { Outcome, Run } from './run.ts'
 
-/** Everything that happened in a run, a row for every frame; row 0 is the start. */
+/** A recorded run with a row for every frame; row 0 is the start. */
 export interface Trajectory {
   experiment: ResolvedExperiment
-  /** How many frames were simulated: each array holds one row more. A run that ends early has fewer than it was asked for. */
+  /** Number of simulated frames: each array has one row more. A run that ends early has fewer frames than requested. */
   frames: number
-  /** On the wall clock [s]. */
+  /** Wall-clock time [s]. */
   time: Float64Array
-  /** The time that the physics state stands at [s]: behind `time` under `fixed` and `capped`, astray under `per-frame`. */
+  /** The time that the physics state stands at [s]: behind `time` under `fixed` and `capped`, unrelated under `per-frame`. */
   stateTime: Float64Array
   /** The physics state: distance along the track [m] and speed [m/s]. */
   s: Float64Array
   v: Float64Array
   /** The position that the frame shows [m]. */
   drawnS: Float64Array
-  /** Σ force of friction and drag × distance so far [J]. */
+  /** Heat so far: the work of friction and drag, Σ force × distance [J]. */
   heat: Float64Array
-  /** What a moving belt has done so far [J]: 0 in every other scene. */
+  /** The work of a moving belt so far [J]: 0 in every other scene. */
   work: Float64Array
   /** Steps that the timestep policy asked for. */
   steps: number
-  /** Evaluations of the acceleration, those of steps that were tried and shortened included. */
+  /** Evaluations of the acceleration, including those of steps that were tried and shortened. */
   evaluations: number
   /** Implicit steps whose equation was not solved to rounding. */
   unsolved: number
-  /** It is called diverged because the policy found no step short enough for its tolerance, within the steps that a run may take. */
+  /** The outcome is `diverged` because the policy could not meet its tolerance within the steps that a run may take. */
   abandoned: boolean
   /** Time that the policy dropped [s]. */
   lostTime: number
-  /** How the run ended, and when on the clock of `stateTime` [s]. */
+  /** How the run ended, and when, on the physics clock [s]. */
   outcome: Outcome
 }
 
-/** Takes down a run frame by frame. */
+/** Records a run frame by frame. */
 export class Recorder {
   private rows = 0
   private time: Float64Array
@@ -44,7 +44,7 @@ export class Recorder {
   private heat: Float64Array
   private work: Float64Array
 
-  /** `capacity`: how many rows to expect; more are no mistake. */
+  /** `capacity`: the expected number of rows; the arrays grow if there are more. */
   constructor(capacity: number) {
     this.time = new Float64Array(capacity)
     this.stateTime = new Float64Array(capacity)
@@ -57,7 +57,7 @@ export class Recorder {
 
   record(run: Run): void {
     const row = this.rows++
-    // Clocks that go by chance run past what is expected of them by little.
+    // Random clocks exceed the expected number of frames by little.
     if (row === this.time.length) this.resize(row + (row >> 4) + 16)
     const { motion } = run
     this.time[row] = run.time

@@ -2,16 +2,16 @@ import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
 import { parseExperiment } from './parse.ts'
 
-/** When a policy that tries steps did so, a value for each try in their order. */
+/** The tries of a policy that chooses its own steps: one value a try, in order. */
 export interface Tries {
-  /** When it begins on the physics clock, and how long it is [s]. */
+  /** When each try begins on the physics clock, and its length [s]. */
   readonly begins: readonly number[]
   readonly lengths: readonly number[]
   readonly accepted: readonly boolean[]
 }
 
 /**
- * The tries of a whole run, which is repeated for it; none under a policy that takes every step that it tries.
+ * The tries of a whole run, which it simulates again; none under a policy that accepts every step.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
@@ -25,7 +25,7 @@ export function triesOf(experiment: Experiment): Tries {
     restored: () => {},
     judged: (isAccepted) => {
       begins.push(run.stateTime)
-      // The step taken last is half of it.
+      // The last step was the second half of the try.
       lengths.push(2 * run.motion.dt)
       accepted.push(isAccepted)
     },

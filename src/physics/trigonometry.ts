@@ -11,11 +11,11 @@ const HALF_PI_1 = 1.5707963267341256
 const HALF_PI_2 = 6.077100506303966e-11
 const HALF_PI_3 = 2.0222662487959506e-21
 
-// Beyond this the reduction above loses digits. No angle on a track comes near it: only a step that has
-// already diverged asks for more, and any finite answer serves it.
+// Beyond this the reduction loses digits. No angle on a track comes near it: only a step that has
+// already diverged asks for more, and any finite answer will do.
 const LARGEST = 1e9
 
-// Polynomials that fit both best up to π/4 (fdlibm, Sun Microsystems, 1993): as exact as Taylor's, and shorter.
+// Minimax polynomials for both up to π/4 (fdlibm, Sun Microsystems, 1993): as accurate as Taylor's, and shorter.
 export const S3 = -1.66666666666666324348e-1
 export const S5 = 8.33333333332248946124e-3
 export const S7 = -1.98412698298579493134e-4
@@ -31,17 +31,17 @@ export const C14 = -1.13596475577881948265e-11
 
 /**
  * The sine and cosine of one angle: set `angle` [rad], call `find`, read `sin` and `cos`. Numbers stand in fields, since
- * engines box one that is passed to a function or returned from it.
+ * engines box numbers that are passed to a function or returned from it.
  */
 export class SinCos {
   angle = NaN
-  /** What is to be added to an angle of π/4 at the most, less than its ulp [rad]. */
+  /** A correction to an angle of at most π/4, smaller than its ulp [rad]. */
   tail = 0
   sin = NaN
   cos = NaN
-  /** The angle that `sin` and `cos` are of: asked for again, they are there. */
+  /** The angle of the present `sin` and `cos`, so that a repeated request costs nothing. */
   private found = NaN
-  // What is left of the angle's size without whole quarter turns, and the rest of its digits [rad]; how many those were.
+  // |angle| reduced by whole quarter turns, as a head and a low part [rad]; the number of quarter turns.
   private rest = NaN
   private digits = NaN
   private quarters = 0
@@ -62,14 +62,14 @@ export class SinCos {
     }
     const z = x * x
     const w = z * z
-    // In two parts each, which a processor works out at the same time.
+    // In two parts each, which a processor evaluates in parallel.
     const sineTail = S3 + z * (S5 + z * (S7 + z * S9) + z * w * (S11 + z * S13))
     const cosineTail = C4 + z * (C6 + z * C8) + z * w * (C10 + z * (C12 + z * C14))
     const head = 1 - 0.5 * z
     const sin = x + (x * z * sineTail + digits * head)
-    // What rounding took from `head` comes back in (1 − head) − z/2, which is exact.
+    // (1 − head) − z/2 is exact, and restores what `head` lost by rounding.
     const cos = head + (1 - head - 0.5 * z + (w * cosineTail - x * digits))
-    // A quarter turn on, the sine is what was the cosine.
+    // After a quarter turn, sine and cosine swap.
     const size = quarters & 1 ? cos : sin
     const other = quarters & 1 ? sin : cos
     this.sin = (quarters & 2) > 0 !== angle < 0 ? -size : size
@@ -100,10 +100,10 @@ export function sinCos(angle: number): SinCos {
 }
 
 const DEGREE = Math.PI / 180
-// What rounding took from π/180.
+// The rounding error of π/180.
 const DEGREE_REST = 2.9486522708701687e-19
 
-/** An angle given in degrees, in radians. */
+/** Converts degrees to radians. */
 export function radians(degrees: number): number {
   return degrees * DEGREE
 }
@@ -122,14 +122,14 @@ export function sinCosDegrees(angle: number): SinCos {
   result.angle = product
   result.tail = productError(degrees, DEGREE, product) + degrees * DEGREE_REST
   result.find()
-  // One number, as they are: on a slope of 45° with a coefficient of 1, friction is a match for gravity.
+  // Made equal: on a slope of 45° with a coefficient of 1, friction exactly balances gravity.
   if (size === 45) result.sin = result.cos = Math.SQRT1_2
   if (mirrored) [result.sin, result.cos] = [result.cos, result.sin]
   if (angle < 0) result.sin = -result.sin
   return result
 }
 
-/** What rounding took from a product of two numbers (Dekker, 1971). */
+/** The rounding error of a product of two numbers (Dekker, 1971). */
 function productError(a: number, b: number, product: number): number {
   const aHigh = upperHalf(a)
   const bHigh = upperHalf(b)

@@ -9,12 +9,12 @@ import type { Parameters } from './state.ts'
 import { policyOf } from './timesteps/index.ts'
 import { sinCosDegrees } from './trigonometry.ts'
 
-/** Trial steps that locating one event takes: regula falsi on a smooth residual needs 5 to 10. */
+/** Trial steps to locate one event: regula falsi on a smooth residual needs 5 to 10. */
 const TRIALS = 8
 
 /**
- * Why a run would take too long: in frames, in steps and, of an experiment in which nothing else is wrong, in evaluations
- * of the acceleration.
+ * The reasons why a run would take too long: too many frames, too many steps or, if the experiment is otherwise valid,
+ * too many evaluations of the acceleration.
  */
 export function workProblems(experiment: ResolvedExperiment, whole: boolean): Problem[] {
   const { duration, frames, timestep, integrator, stopping, parameters } = experiment
@@ -34,7 +34,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
   if (!whole || problems.length > 0) return problems
   const { least, most }: Integrator['evaluations'] = entry(integrators, integrator).evaluations
   const located = stopping === 'located' ? reversals(parameters, duration) : 0
-  // Between the fewest and the most that a step takes lies what it typically takes: for implicit midpoint 6 of 1 to 40.
+  // A typical step lies between the fewest and the most evaluations: for implicit midpoint 6 of 1 to 40.
   const evaluations = (steps + TRIALS * located) * Math.sqrt(least * most)
   if (evaluations > limits.evaluations)
     problems.push({
@@ -45,7 +45,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
 }
 
 /**
- * How often a block that oscillates reverses, at the most, where the stopping rule locates that: half-swings last π/ω or
+ * An upper bound on the reversals of a block that oscillates, for a rule that locates them: half-swings last π/ω or
  * longer, and friction ends them. Elsewhere a block reverses once or twice, which costs nothing.
  */
 function reversals(parameters: Parameters, duration: number): number {
@@ -61,9 +61,9 @@ function reversals(parameters: Parameters, duration: number): number {
   if (muStatic === 0) return 0
   const { sin, cos } = sinCosDegrees(angle)
   const omega = Math.sqrt(stiffness / mass)
-  // A belt gives what friction takes, and each of its cycles holds two events.
+  // On a belt the motion never ends, and each cycle contains two events.
   if (beltSpeed !== 0) return (omega * duration) / Math.PI
-  // The drive where a spring's half-swing ends, which friction lessens by 2 μk press from one end to the next.
+  // The drive at the end of a spring's half-swing, which friction reduces by 2 μk press each time.
   const drive = Math.abs(omega * omega * position - gravity * sin) + Math.abs(omega * speed)
   const lessened = 2 * muKinetic * gravity * cos
   return Math.min((omega * duration) / Math.PI, lessened > 0 ? drive / lessened + 1 : Infinity)

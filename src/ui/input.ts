@@ -1,14 +1,14 @@
 import type { SliderRange } from '../physics/index.ts'
 import { stepped } from './sliderScale.ts'
 
-/** Where a pointer is on an element, from its corner and in its own pixels, which a page may have scaled. */
+/** A pointer's position from an element's corner, in the element's own pixels, which a page may have scaled. */
 export function pointIn(
   element: HTMLElement,
   { clientX, clientY }: MouseEvent,
 ): { x: number; y: number } {
   const { left, top, width } = element.getBoundingClientRect()
   const own = element.offsetWidth
-  // It is in whole pixels: a smaller difference is none.
+  // offsetWidth is in whole pixels: ignore smaller differences.
   const scale = Math.abs(own - width) < 1 ? 1 : own / width
   return { x: (clientX - left) * scale, y: (clientY - top) * scale }
 }

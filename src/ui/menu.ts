@@ -2,15 +2,15 @@ import { html } from 'lit'
 import type { Described } from '../physics/index.ts'
 
 interface Menu<Id extends string> {
-  /** For whoever can't see where it stands. */
+  /** The menu's name for screen readers. */
   readonly label: string
   readonly list: readonly (Described & { readonly id: Id })[]
   readonly chosen: string
-  /** Whether it could be chosen. */
+  /** Called with the chosen id; returns false if it can't be chosen. */
   readonly pick: (id: Id) => boolean
 }
 
-/** A menu of a list's entries; what the chosen one is appears when it is pointed at. */
+/** A menu of a list's entries; the chosen one's explanation is the tooltip. */
 export function menu<Id extends string>({ label, list, chosen, pick }: Menu<Id>) {
   const changed = (event: Event) => {
     const select = event.target as HTMLSelectElement

@@ -22,9 +22,9 @@ export type Quantity = Pick<
  * - `initial`: if given, a reset button appears where the value differs from it
  * - `layout`: `full` (the default), `inline` for label and field and, where powers of ten are hard to type, the slider, `bare`
  *   for the field alone
- * - `labelled`: whose number it is, for screen readers
- * - `pick`: called with what the reader chose, a number or, where it is none, the text; answers with what is wrong
- *   with it, or with nothing. What is wrong stays in the field, with the answer under it
+ * - `labelled`: the owner of the number, for screen readers
+ * - `pick`: called with the reader's input, a number or otherwise the text; returns what is wrong
+ *   with it, or ''. Invalid input stays in the field, with that message under it
  */
 class QuantityControl extends LitElement {
   static override properties = {
@@ -147,7 +147,7 @@ class QuantityControl extends LitElement {
 
   private restore(initial: unknown): void {
     this.offer(initial)
-    // The button goes, and must not take the focus with it.
+    // The button disappears: move the focus first.
     this.querySelector<HTMLElement>('[type="range"]')!.focus()
   }
 

@@ -17,7 +17,7 @@ class RunnerMark extends LitElement {
     return this
   }
 
-  // SVG, not a canvas: a browser asks every canvas of a page for its picture at every frame.
+  // SVG, not a canvas: browsers composite every canvas of a page at every frame.
   override render() {
     const { paletteIndex, hollow } = this
     const colour = `var(--runner-${paletteIndex})`
@@ -35,7 +35,7 @@ export function svgMark(paletteIndex: number, x: number, y: number, radius: numb
   return svg`<path class="mark" d=${markText(paletteIndex)} transform="translate(${round(x)} ${round(y)}) scale(${radius})" />`
 }
 
-/** To a hundredth of a pixel. */
+/** Rounds to a hundredth of a pixel. */
 export function round(value: number): number {
   return Math.round(value * 100) / 100
 }

@@ -3,12 +3,12 @@ import { html, nothing } from 'lit'
 interface Segment {
   readonly id: string
   readonly label: string
-  /** What appears when it is pointed at. */
+  /** The tooltip. */
   readonly about?: string
 }
 
 interface Segments<Each extends Segment> {
-  /** For whoever can't see where they stand. */
+  /** The group's name for screen readers. */
   readonly label: string
   readonly list: readonly Each[]
   readonly chosen: string | undefined

@@ -11,11 +11,11 @@ export function valueAt({ scale }: SliderRange, place: number): number {
   return scale ? Number((10 ** place).toPrecision(1)) : Number(place.toPrecision(12))
 }
 
-/** The number that so many steps of a slider lead to from another. It may be beyond the slider's ends. */
+/** The number that is `steps` steps of a slider away from another. It may be beyond the slider's ends. */
 export function stepped(slider: SliderRange, value: number, steps: number): number {
   const { scale, step } = slider
   const place = placeOf(slider, value)
-  // From a number between the places it goes to the next of them.
+  // From between two steps it goes to the next one.
   const start = scale ? Math.round(place / step) * step : place
   return valueAt(slider, start + steps * step)
 }

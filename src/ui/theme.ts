@@ -1,6 +1,6 @@
 const followers = new Set<() => void>()
 
-/** Calls back whenever the page's colours may have changed: for what reads them once, such as a canvas. Returns a function that unsubscribes. */
+/** Calls back when the page's colours may have changed, for canvases and others that read them once. Returns a function that unsubscribes. */
 export function onThemeChange(callback: () => void): () => void {
   const observer = new MutationObserver(callback)
   observer.observe(document.documentElement, { attributeFilter: ['data-theme'] })
@@ -16,12 +16,12 @@ export function onThemeChange(callback: () => void): () => void {
   }
 }
 
-/** Tells of colours that have changed by other means than the page's attribute or the system's setting. */
+/** Notifies of colours that changed by other means than the page's attribute or the system's setting. */
 export function themeChanged(): void {
   for (const callback of followers) callback()
 }
 
-/** The same, and whenever a font has been loaded: for what draws words. */
+/** Like `onThemeChange`, and also calls back when a font has loaded, for what draws text. */
 export function onRestyle(callback: () => void): () => void {
   const stopThemes = onThemeChange(callback)
   document.fonts.addEventListener('loadingdone', callback)

@@ -3,7 +3,7 @@ import { icon } from './icons.ts'
 
 const themes = ['system', 'light', 'dark'] as const
 
-/** A button that goes round the page's themes: as the system has it, light, dark. It remembers nothing. */
+/** A button that cycles through the page's themes: the system's, light, dark. It stores nothing. */
 class ThemeSwitch extends LitElement {
   static override properties = { theme: { state: true } }
 

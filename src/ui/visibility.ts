@@ -1,6 +1,6 @@
 type Seen = (isSeen: boolean) => void
 
-/** One observer for everything on the page that asks the same. */
+/** One shared IntersectionObserver for all elements with the same margin. */
 class Visibility {
   // Weak, since an element may watch itself for as long as it lives.
   private readonly listeners = new WeakMap<Element, Set<Seen>>()
@@ -23,7 +23,7 @@ class Visibility {
   readonly watch = (element: Element, seen: Seen): (() => void) => {
     const listeners = this.listeners.get(element) ?? new Set()
     this.listeners.set(element, listeners.add(seen))
-    // Observed anew, it is told to those who came late too.
+    // Observing again also notifies listeners that were added later.
     this.observer.unobserve(element)
     this.observer.observe(element)
     return () => {
@@ -38,5 +38,5 @@ class Visibility {
 /** Calls back when an element enters the window and when it leaves. Returns a function that unsubscribes. */
 export const onVisible = new Visibility('0px').watch
 
-/** The same for the window and as much again above and below: time to make ready what will be seen. */
+/** Like `onVisible`, from one window height above and below: time to prepare what will be seen. */
 export const onNear = new Visibility('100% 0px').watch

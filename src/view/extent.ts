@@ -44,7 +44,7 @@ function runExtent(trajectory: Trajectory): Extent {
   return extent
 }
 
-/** Where the true motion goes in so long a time, and where it is then [m]. */
+/** The range of the true motion in a duration, and where it is at its end [m]. */
 interface Truth extends Extent {
   readonly last: number
 }

@@ -17,7 +17,7 @@ export interface HandleNumber {
   readonly held: boolean
 }
 
-/** The numbers that stand next to handles: the speed always, what is held or pointed at too. */
+/** The numbers next to handles: the speed always, the others while their handle is held or pointed at. */
 export function handleNumbersOf(
   picture: Picture,
   layout: Layout,

@@ -9,7 +9,7 @@ export interface Palette {
   readonly sheet: string
   readonly ground: string
   readonly line: string
-  /** Of what must be seen: 3:1. */
+  /** For outlines that must be visible: 3:1 contrast. */
   readonly edge: string
   readonly wrong: string
   readonly accent: string
@@ -25,7 +25,7 @@ export interface Palette {
 /** Red, green and blue, 0 … 255. */
 export type Rgb = readonly [number, number, number]
 
-/** What text needs against what it stands on. */
+/** The contrast of text with its background. */
 const TEXT_CONTRAST = 4.5
 
 /** Reads the palette of an element, and again when the page's theme has changed it. */
@@ -95,7 +95,7 @@ export class PaletteReader {
   }
 }
 
-/** For a page that says nothing. */
+/** The colours on a page that defines none. */
 const okabeIto = [
   ...['#d55e00', '#0072b2', '#009e73', '#cc79a7'],
   ...['#e69f00', '#56b4e9', '#7a6a00', '#5c4b8a'],
@@ -134,7 +134,7 @@ function css([r, g, b]: Rgb): string {
   return `rgb(${r} ${g} ${b})`
 }
 
-/** Lets the browser itself say what a colour is, in whichever notation the page has it. */
+/** Parses colours by the browser, in any notation that it knows. */
 function colourParser(): (colour: string) => Rgb {
   const canvas = document.createElement('canvas')
   canvas.width = canvas.height = 1

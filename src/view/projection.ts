@@ -18,7 +18,7 @@ export interface Subject extends Point {
   readonly below: number
 }
 
-/** So small and so large that no picture needs more [px/m]. */
+/** The smallest and the largest scale [px/m]. */
 const SMALLEST = 1e-12
 const LARGEST = 1e12
 

@@ -15,7 +15,7 @@ export interface Samples {
   readonly followed: number
 }
 
-/** Of what s and v range over: half a pixel of a large plot. */
+/** A fraction of the ranges of s and v: half a pixel of a large plot. */
 const TOLERANCE = 1 / 500
 /** What every motion is looked at: intervals of the same length, each of which may turn out to need more. */
 const INTERVALS = 64
@@ -48,7 +48,7 @@ function sample(exact: ExactMotion, duration: number): Samples {
   }
   const isStraight = (from: Instant, inside: Instant, to: Instant) => {
     const part = (inside.time - from.time) / (to.time - from.time)
-    // Asked so that what is no number needs no more samples.
+    // Written so that NaN needs no more samples.
     return !(
       Math.abs(from.s + part * (to.s - from.s) - inside.s) > reach.s.tolerance ||
       Math.abs(from.v + part * (to.v - from.v) - inside.v) > reach.v.tolerance

@@ -2,7 +2,7 @@ import { clamp } from '../chart/geometry.ts'
 import type { Picture } from './picture.ts'
 import { viewOf } from './scenes.ts'
 
-/** What is so many pixels large whatever the scale. */
+/** Sizes in pixels that do not depend on the scale. */
 export interface Sizes {
   /** The side of a block. */
   readonly block: number

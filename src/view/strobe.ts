@@ -41,7 +41,7 @@ export interface Lane extends Dots {
   readonly fill: string
 }
 
-/** So many dots of a lane are drawn at once, and then stay. */
+/** The number of a lane's dots that are drawn at once and then kept. */
 const BATCH = 32
 
 /** A full batch of a lane's dots, which is drawn as soon as its last frame has been shown. */
@@ -127,7 +127,7 @@ function countUpTo(numbers: readonly number[], limit: number): number {
   return low
 }
 
-/** The rarer the frames, the larger their dots: frame rates are seen at a glance. */
+/** Dots are larger at lower frame rates, so that rates can be told at a glance. */
 function dotRadius(trajectory: Trajectory): number {
   return clamp(1 + 8 / Math.sqrt(Math.max(1, frameRate(trajectory))), 1.2, 3.6)
 }

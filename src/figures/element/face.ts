@@ -64,7 +64,7 @@ function pictures({ figure, values, runs, playback, lit, set }: Face) {
   )
 }
 
-/** A field's own event is none of the figure's. */
+/** Keeps a field's own event from leaving the figure. */
 function hush(event: Event): void {
   event.stopPropagation()
 }

@@ -51,8 +51,8 @@ class MovedAtNow extends AtNow {
   protected override readonly phase = 'move'
 }
 
-/** What a function makes of the instant that a playback shows [s], to be read; up to date while it can be seen. */
+/** Renders a function of a playback's instant [s] as text, updated a few times a second while it is visible. */
 export const atNow = directive(AtNow)
 
-/** The same for what would be seen to move by jerks. */
+/** Like `atNow`, updated at every frame: for things that move. */
 export const movedAtNow = directive(MovedAtNow)

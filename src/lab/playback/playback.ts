@@ -12,22 +12,22 @@ interface PlaybackHost extends ReactiveControllerHost, HTMLElement {
   readonly recorded: readonly Trajectory[]
 }
 
-/** A tab that was away, or a browser that was busy, does not make the block leap. */
+/** The longest step of the cursor [s], so that a block does not leap after a hidden tab or a busy browser. */
 const LONGEST_FRAME = 0.1
 
 /**
- * While it plays, so long lies between two writings of what is read [ms]: nobody reads numbers that change faster, and to
- * lay out and paint text costs more than all that moves.
+ * The interval between updates of text while playing [ms]: nobody reads numbers that change faster, and
+ * laying out and painting text costs more than everything that moves.
  */
 const WRITING = 95
 
 /**
- * A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. Where it is
- * goes to its subscribers; its host is only updated when it begins or ceases to play.
+ * A cursor on the time of recorded runs. It asks for animation frames only while it plays and can be seen. Its position
+ * goes to its subscribers; its host is only updated when playing starts or stops.
  */
 export class Playback implements ReactiveController {
   playing = false
-  /** Recorded seconds in a second. */
+  /** Playback speed: recorded seconds per second. */
   speed = 1
   private cursor = Infinity
   private seen = false
@@ -93,7 +93,7 @@ export class Playback implements ReactiveController {
     this.subscribers.notify({ seen: false, eachFrame: false })
   }
 
-  /** Goes to an instant [s] and stays there. */
+  /** Goes to an instant [s] and pauses there. */
   seek(time: number): void {
     this.moveTo(time)
     this.pause()

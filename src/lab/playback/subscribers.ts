@@ -14,7 +14,7 @@ interface Subscriber {
   stopWatching: () => void
 }
 
-/** What follows a moving instant. Each is notified as long as its element can be seen. */
+/** The subscribers of a moving instant. Each is notified while its element is visible. */
 export class Subscribers {
   private readonly all = new Map<Element, Subscriber>()
 

@@ -6,34 +6,34 @@ export interface HardCase {
   /** Cases of one kind share a number, 1 … 28. */
   readonly group: number
   readonly label: string
-  /** One sentence for whoever looks at it run. */
+  /** One sentence about what to look at. */
   readonly watch: string
   /** Runs to be seen side by side, at most eight. */
   readonly experiments: readonly Experiment[]
-  /** Its experiments can't be run, and are refused with the reason. */
+  /** The experiments are invalid: `parseExperiment` rejects them with the reason. */
   readonly refused?: true
 }
 
 /** What the number of a claim counts: metres, seconds, metres a second, joules, a share of the energy, or things. */
 export type Unit = 'm' | 's' | 'm/s' | 'J' | 'of the energy' | 'things'
 
-/** Something that holds of a hard case; the tests hold it to a figure. */
+/** A claim about a hard case, with a bound that the tests check. */
 export interface Claim {
-  /** What is measured, and of which methods, in words that a figure can follow. */
+  /** What is measured, and for which methods, in words that a value can follow. */
   readonly what: string
   /** Where the bound comes from. */
   readonly why: string
   readonly unit: Unit
-  /** The bound is a sum of roundings: what stays below it is 0 but for them. */
+  /** The bound is a sum of roundings: a value below it is 0 to rounding. */
   readonly rounding?: true
-  /** Of a method that fails here, as it is bound to: how. */
+  /** How a method fails here, if it is expected to. */
   readonly failure?: string
 }
 
-/** Claims by a name of their own. */
+/** Claims by name. */
 export type Claims = Readonly<Record<string, Claim>>
 
-/** What a measured figure is held to: all that is named must hold. */
+/** The bounds of a measured value: all given ones must hold. */
 export interface Bound {
   readonly atMost?: number
   readonly atLeast?: number
@@ -41,7 +41,7 @@ export interface Bound {
   readonly above?: number
 }
 
-/** Whether a figure is within its bound; one that is no number never is. */
+/** Whether a value is within its bound; NaN never is. */
 export function holds(value: number, { atMost, atLeast, above }: Bound): boolean {
   return (
     !Number.isNaN(value) &&
@@ -51,7 +51,7 @@ export function holds(value: number, { atMost, atLeast, above }: Bound): boolean
   )
 }
 
-/** How near a figure of 0 or more that holds is to its bound: from 0 to 1, where it could be no nearer. */
+/** How close a value of 0 or more is to its bound: 0 is far, 1 is at the bound. */
 export function nearness(value: number, { atMost, atLeast, above }: Bound): number {
   return Math.max(
     atMost === undefined || value === 0 ? 0 : value / atMost,

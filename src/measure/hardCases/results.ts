@@ -9,7 +9,7 @@ import limits from './results/limits.json'
 import oscillations from './results/oscillations.json'
 import tolerances from './results/tolerances.json'
 
-/** What was measured of a claim, of all runs the one that came nearest to its bound. */
+/** The measurement of a claim: of all its runs the one closest to its bound. */
 export interface Result {
   /** That run, in words. */
   readonly run: string

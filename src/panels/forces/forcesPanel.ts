@@ -126,12 +126,12 @@ export function quantity(value: number, largest: number): string {
   return fixed(value, decimals)
 }
 
-/** What is nothing beside the largest is nothing. */
+/** Rounds to 0 what is negligible beside the largest. */
 function rounded(value: number, largest: number): number {
   return Math.abs(value) < 1e-9 * largest ? 0 : value
 }
 
-/** What friction does and why it is as large as it is; nothing where nothing can rub. */
+/** What friction does, and why it has this size; empty in a scene without friction. */
 export function frictionText(
   { parameters, stopping }: Pick<ResolvedExperiment, 'parameters' | 'stopping'>,
   { vectors }: BlockForces,

@@ -43,14 +43,14 @@ export interface Largest {
   readonly speed: number
 }
 
-/** So many states of a run tell how large its forces get: one every few pixels. */
+/** The number of states in which a run's largest force is looked for: one every few pixels. */
 const SAMPLES = 120
 /** A run that blows up counts as far as this many times the true motion; what is beyond can't be drawn to scale. */
 const REACH = 3
 
 const kept = new WeakMap<Trajectory, Largest>()
 
-/** The same for a whole run, so that arrows keep their scale while it plays. */
+/** The largest force and speed of a whole run, so that arrows keep their scale while it plays. */
 export function largestOf(trajectory: Trajectory): Largest {
   const known = kept.get(trajectory)
   if (known) return known
@@ -127,7 +127,7 @@ export interface Looked {
   readonly largest: Largest
 }
 
-/** What is looked at closely: undefined if it is hidden. */
+/** The selected runner's row and forces; undefined if it is hidden. */
 export function lookedAt({ simulated, selected, playback }: LabView): Looked | undefined {
   const runner = simulated.runners[selected]
   if (!runner || runner.state.hidden) return undefined

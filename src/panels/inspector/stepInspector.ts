@@ -217,7 +217,7 @@ interface StepperOptions {
 function stepper({ what, from, to, at, go }: StepperOptions) {
   const button = (name: IconName, label: string, there: number) => {
     const isOff = there < from || there > to || there === at
-    // Off for who uses it, not for the browser, which would take the focus away.
+    // aria-disabled, since `disabled` would take the focus away.
     return html`<button
       type="button"
       title=${label}

@@ -21,7 +21,7 @@ export function advice(curves: readonly DiagramCurve[]): Advice[] {
   const add = (error: string, tolerance: number) => {
     const point = cheapest(offers, tolerance)
     if (!point) return
-    // What is good for less is good for more.
+    // A way to a smaller error also serves a larger one.
     if (found.at(-1)?.point === point) found.pop()
     found.push({ error, point })
   }

@@ -4,7 +4,7 @@ import { onVisible } from '../../ui/visibility.ts'
 import { Measurer } from './measurer.ts'
 import type { Part, Task } from './task.ts'
 
-/** While a control is being dragged, nothing is begun [ms]. */
+/** The wait before a measurement starts, so that none starts during a drag [ms]. */
 const PAUSE = 120
 
 /**
@@ -80,7 +80,7 @@ export class Measuring implements ReactiveController {
     return this.done < 1 && !this.stopped
   }
 
-  /** Says what is to be measured, or that nothing is; the same again is no news. */
+  /** Sets the task, or none; an equal task changes nothing. */
   want(task: Task | undefined): void {
     const key = task ? JSON.stringify(task) : ''
     if (key === this.key) return
@@ -110,7 +110,7 @@ export class Measuring implements ReactiveController {
     this.begin()
   }
 
-  /** What nobody sees is not measured. */
+  /** Measures only while the element is visible. */
   private readonly look = (): void => {
     const seen = this.isVisible && !document.hidden
     if (!seen) this.measurer.cancel()

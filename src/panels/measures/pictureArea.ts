@@ -15,7 +15,7 @@ export const arrows: Readonly<Record<string, Move>> = {
 
 /** A picture of things that can be chosen. */
 interface ChoicePicture<Thing> {
-  /** For whoever can't see it: what it is, and what its keys do. */
+  /** For screen readers: what it shows, and what its keys do. */
   readonly label: string
   /** Where its keys go, by name. */
   readonly moves: Readonly<Record<string, Move>>

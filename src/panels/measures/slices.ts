@@ -11,7 +11,7 @@ export interface TaskReport {
   readonly problem?: string
 }
 
-/** Works so long without a pause [ms]: a new request, or a hand on the page, waits no longer. */
+/** The length of a slice [ms]: the longest that a new request or the reader's input waits. */
 const SLICE = 8
 
 /** Works on one task at a time, in slices, so that another can take its place in between. */
@@ -30,7 +30,7 @@ export class Slices {
     this.pause.port1.onmessage = this.slice
   }
 
-  /** Drops what it was at and begins this. */
+  /** Replaces the current task by this one. */
   start(task: unknown, tell: (report: TaskReport) => void): void {
     this.yielded = 0
     this.tell = tell
@@ -42,12 +42,12 @@ export class Slices {
     this.goOn()
   }
 
-  /** Drops what it was at. */
+  /** Stops the current task. */
   stop(): void {
     this.work = undefined
   }
 
-  /** Lets go of what it holds. */
+  /** Stops, and closes the message channel. */
   close(): void {
     this.stop()
     this.pause.port1.close()

@@ -53,7 +53,7 @@ function nameOf(spot: DiagramSpot | undefined): string | undefined {
   return spot && pointName(spot.point)
 }
 
-/** Along a curve, or up and down to another: the first of all where there is none to go from. */
+/** Along a curve, or up and down to another: the first spot if none is chosen. */
 function nextSpot(
   layout: DiagramLayout,
   from: DiagramSpot | undefined,

@@ -79,7 +79,7 @@ function trueCurve({ over, of }: PlotKind, simulated: Simulated, thinned: Thinne
   return { paletteIndex: EXACT, index: -1, x: picked(x), y: picked(y), time: picked(time) }
 }
 
-/** Errors above this are no longer a matter of more or less [m]. */
+/** The largest error that an axis shows [m]. */
 const LARGEST = 1e6
 
 /** The axis on which a quantity of all visible runners has room. */

@@ -126,7 +126,7 @@ export interface PlotKind {
   /** Undefined: over time. */
   readonly over?: PlotQuantity
   readonly of: PlotQuantity
-  /** Not where nothing slides on a track. */
+  /** Only for scenes with a track. */
   readonly onTrack?: true
 }
 
@@ -168,7 +168,7 @@ export const plotKinds: readonly PlotKind[] = [
   },
 ]
 
-/** Those that say something of a scene. */
+/** The plots that make sense for a scene. */
 export function plotsOf({ scene }: Pick<Simulated, 'scene'>): readonly PlotKind[] {
   return plotKinds.filter(({ onTrack }) => !(onTrack && viewOf(scene).falls))
 }

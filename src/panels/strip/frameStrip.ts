@@ -224,7 +224,7 @@ function coloursOf(element: Element): Colours {
   }
 }
 
-/** The line under a lane that says what is odd about its time [px]. */
+/** The height of the line under a lane for notes about lost or delayed time [px]. */
 const NOTE = 17
 
 /** How high a lane is, and where its note stands [px]. */

@@ -4,18 +4,18 @@ import { crossing, evaluate, stay } from './phase.ts'
 import type { Phase } from './phase.ts'
 import { slideStraight } from './straight.ts'
 
-// Of the polynomial of s: the cost of a step grows with its square, the step's length ever less.
+// The degree of the polynomial of s: the cost of a step grows with its square, the step's length more and more slowly.
 const DEGREE = 24
-// The first term that the series leaves out is at most this part of its largest: truncation is below rounding.
+// The first omitted term is at most this fraction of the largest: truncation is below rounding.
 const TRUNCATION = 2 ** -60
-// The step follows from this coefficient and all later ones. Few of them are not enough: from rest every other one
+// The step length follows from this coefficient and all later ones. A few are not enough: from rest every other one
 // is 0, from rest on a wall three of four are, and near 30° and 60° one of three is small.
 const FIRST_BOUND = DEGREE / 2
-// The longest step in units of time in which the law turns by about a radian. Shorter than a half-swing, which takes
-// π of them, so that a step holds one stop at most; reached where the series ends early.
+// The longest step, in the time in which the law turns by about a radian. It is shorter than a half-swing, which takes
+// π of these, so that a step contains at most one stop; it applies where the series ends early.
 const LONGEST = 2
-// Rounding leaves an energy error of some ulps of the energy, and of the work of the force on the whole distance,
-// whose ulp is the ulp of s. A larger error than this many comes from something else.
+// Rounding leaves an energy error of some ulps of the energy, and of the work of the force over the whole distance,
+// whose ulp is the ulp of s. An error of more ulps than this has another cause.
 const MOST_ENERGY_ERROR = 16 * Number.EPSILON
 
 // Series of speed, of sine and cosine of the slope, and of the press, in the phase's unit of time.
@@ -53,21 +53,21 @@ export function slideArc(
   const pull = gravity * unit * unit
   expand(v * unit, mu, pull, slope, curvature)
   const border = slip > 0 ? piece.to : piece.from
-  // No force, nor a change of one: there is none, or one below the smallest number. No step would be the last.
+  // No force, or one that underflows: the series would need endlessly many steps.
   if (speeds[1] === 0 && speeds[2] === 0) return slideStraight(s, v, slip, 0, border)
 
-  // By concat, which leaves no room to spare: a motion keeps thousands of these.
+  // concat allocates no spare capacity, and a motion keeps thousands of these arrays.
   const c = [s].concat(speeds)
   for (let n = 1; n <= DEGREE; n++) c[n]! /= n
   const end = { s: NaN, v: NaN }
   let x = stepLength()
   evaluate(c, x, end)
-  // The whole step, even if the block stops or leaves within it: that is where truncation is largest.
+  // Over the whole step, even if the block stops or leaves within it: truncation is largest at its end.
   if (!keepsEnergy(s, v * unit, end.s, end.v, mu, pull, slope, curvature)) return stay(NaN, NaN)
 
   const turns = slip * end.v <= 0
   if (turns) {
-    // From the far end: where the step starts from v = 0, the crossing there is not the one to find.
+    // Searched from the far end: a step that starts from v = 0 has another crossing at its start.
     x = crossing(speeds, 0, x)
     evaluate(c, x, end)
   }
@@ -79,7 +79,7 @@ export function slideArc(
     end.s = border
     end.v = slip * Math.max(0, (slip * end.v) / unit)
   }
-  // On a crest press grows up to the top and falls beyond it: the end tells whether it has been 0.
+  // On a crest, press grows up to the top and falls beyond it: its sign at the end shows whether it has been 0.
   const takesOff = curvature < 0 && evaluate(presses, x, press).s < 0
   if (takesOff) {
     x = crossing(presses, 0, x)
@@ -111,7 +111,7 @@ function expand(v: number, mu: number, gravity: number, slope: number, curvature
   }
 }
 
-/** How far the series holds: coefficient n is taken to be at most M/rⁿ, with the least r that the later ones allow. */
+/** The step for which the series holds: coefficient n is taken as at most M/rⁿ, with the least r that the later ones allow. */
 function stepLength(): number {
   const largest = Math.max(Math.abs(speeds[0]!), Math.abs(speeds[1]!))
   let growth = -Infinity
@@ -121,12 +121,12 @@ function stepLength(): number {
 }
 
 /**
- * Whether two states on an arc have the same energy, but for the work of friction and for rounding. The kinetic energy
+ * Whether two states on an arc have the same energy, apart from friction's work and rounding. The kinetic energy
  * K = v²/2 obeys dK/ds = g sin φ − μ (g cos φ + 2κK), which is linear. Over a distance d, on which φ turns by −κd:
  *
  *     K₁ = K₀ eᶻ + (g/κ) (F₁ − F₀ eᶻ),   z = −2μκd,   F = (1 − 2μ²)/(1 + 4μ²) cos φ + 3μ/(1 + 4μ²) sin φ
  *
- * written with sin(x)/x and (eᶻ − 1)/z, so that a slight curvature or a short way loses no digits.
+ * written with sin(x)/x and (eᶻ − 1)/z, so that a slight curvature or a short distance loses no digits.
  */
 function keepsEnergy(
   s0: number,

@@ -3,7 +3,7 @@ import { holds } from '../holds.ts'
 import type { ExactMotion, State } from '../state.ts'
 import { cardinal } from './cardinal.ts'
 
-/** Of the belt and the block on it, per mass where that matters; friction is μ g [m/s²]. */
+/** The belt and the block on it, with forces per mass; friction is μ g [m/s²]. */
 interface Belt {
   readonly speed: number
   /** The spring's k/m [1/s²]. */
@@ -12,7 +12,7 @@ interface Belt {
   readonly static: number
 }
 
-/** A stretch of the motion with one law: it rides on the belt, or slides with one acceleration but for the spring's. */
+/** A phase with one law: the block rides on the belt, or slides under the spring and constant friction. */
 interface Phase extends State {
   readonly rides: boolean
   /** The acceleration at its start [m/s²]. */
@@ -32,7 +32,7 @@ const MOST_PHASES = 8192
  *
  * up to v = u, where tan(x/2) is a root of a quadratic. Then it rides, up to k s = μs N. From the first release on the
  * motion repeats itself: it slides for 2(π − atan((μs − μk) g/(ωu)))/ω and rides for 2(μs − μk) g/(ω²u). NaN where it
- * takes thousands of swings until it first sticks.
+ * takes thousands of swings to stick for the first time.
  */
 export function exactBelt(parameters: {
   beltSpeed: number
@@ -55,7 +55,7 @@ export function exactBelt(parameters: {
   const phases: Phase[] = []
   const time = new ExactSum()
   let state: State = { s: position, v: speed }
-  // When the spring tears it off: the second time, the motion begins to repeat itself.
+  // When the spring tears the block off: from the second time on, the motion repeats.
   const releases: number[] = []
   let end = 0
   while (end < Infinity && releases.length < 2 && phases.length < MOST_PHASES) {
@@ -87,7 +87,7 @@ function phaseFrom(belt: Belt, { s, v }: State): Phase {
   if (sticks) {
     const release = (Math.sign(speed) * belt.static) / stiffness
     const lasts = (release - s) / speed
-    // At the very place where static friction gives way, it has.
+    // Exactly where static friction gives way, the block already slides.
     if (lasts > RELEASE * Math.abs(release / speed)) return { s, v, rides: true, a: 0, lasts }
   }
   const slip = Math.sign(v - speed || drive)

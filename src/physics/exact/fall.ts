@@ -12,7 +12,7 @@ const STEADY = 20
  *     rising:   the same for −v with −g: tan, cos and sin in place of tanh, cosh and sinh
  *
  * (Lamb, Dynamics, 1914, on resisted motion.) The logarithm is written ln(1 + kA)/k, with A the distance that w and t
- * alone determine: A is the parabola where there is no drag, so that little drag and short times lose no digits.
+ * alone determine. Without drag, A is the parabola, so that little drag and short times lose no digits.
  */
 export function exactFall(parameters: {
   gravity: number

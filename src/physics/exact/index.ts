@@ -6,15 +6,15 @@ import type { Scene } from '../scene.ts'
 import type { ExactMotion, State } from '../state.ts'
 import { scenes } from '../scenes/index.ts'
 
-// The phases of so many motions take 32 MB at most.
+// The phases of this many motions take at most 32 MB.
 const MOST_KEPT = 8
 const kept = new Map<string, ExactMotion>()
 
 /**
- * The true motion of an experiment's scene and parameters: no frames, no steps. Each scene gives the closed form or the
- * series behind it. The error is at most 1e-11 of the distance (1e-11 m below 1 m), or 100 times what the last bits of
- * the parameters and of the time change, where that is more. The state is NaN where this can't be promised: after
- * thousands of swings that do not repeat themselves, which is hours of next to no friction.
+ * The true motion of an experiment's scene and parameters, without frames or steps: in closed form, or as the
+ * sum of a series. The error is at most 1e-11 of the distance (1e-11 m below 1 m), or 100 times the effect of the last bits of
+ * the parameters and of the time, if that is more. The state is NaN where this can't be promised: after
+ * thousands of swings that do not repeat, which means hours with hardly any friction.
  *
  * @throws ExperimentError for an experiment that can't be run
  */
@@ -33,7 +33,7 @@ export function exactMotion(experiment: Experiment): ExactMotion {
  * The true state at a time: distance along the track [m] and speed [m/s], to the error that `exactMotion` promises.
  *
  * @param t a finite time of 0 or more [s]
- * @throws ExperimentError for an experiment that can't be run, RangeError for any other time and where the state is
+ * @throws ExperimentError for an experiment that can't be run, RangeError for any other time and if the state is
  * not known to that error
  */
 export function exact(experiment: Experiment, t: number): State {

@@ -1,8 +1,8 @@
 import type { State } from '../state.ts'
 
-/** A stretch of time with one law. In it s is a polynomial of x, the time since its start in units of `unit`. */
+/** A span of time with one law, in which s is a polynomial of x, the time since its start in units of `unit`. */
 export interface Phase {
-  /** Coefficients of s [m], the constant one first. */
+  /** Coefficients of s [m], the constant term first. */
   readonly c: readonly number[]
   /** [s] */
   readonly unit: number
@@ -14,7 +14,7 @@ export interface Phase {
   readonly takesOff?: boolean
 }
 
-/** The last phase of a motion, with one state for ever: at rest, off the track, or NaN where the motion is unknown. */
+/** The last phase of a motion, with a constant state: at rest, off the track, or NaN if the motion is unknown. */
 export function stay(s: number, v: number): Phase {
   return { c: [s], unit: 1, lasts: Infinity, end: { s, v } }
 }
@@ -35,7 +35,7 @@ export function evaluate(c: readonly number[], x: number, into: State): State {
 const point: State = { s: NaN, v: NaN }
 
 /**
- * Where a polynomial takes a value, between 0 and a place where it is on the other side of it: Newton's method, with
+ * Where a polynomial takes a value, between 0 and a place where it is on the other side of that value: Newton's method, with
  * bisection wherever that would leave the bracket or not halve the last step (Press et al., Numerical Recipes, rtsafe).
  */
 export function crossing(c: readonly number[], target: number, end: number): number {

@@ -6,7 +6,7 @@ import { stay } from './phase.ts'
 import type { Phase } from './phase.ts'
 import { slideStraight } from './straight.ts'
 
-/** What a motion on a track starts from, and the law's constants. */
+/** The start of a motion on a track, and the constants of its law. */
 export interface TrackParameters {
   readonly gravity: number
   readonly muStatic: number
@@ -19,7 +19,7 @@ export interface TrackParameters {
 export class Slide {
   /** When the next phase begins [s]: a sum of the phases so far, rounded once. */
   time = 0
-  /** The instants at which a block without kinetic friction set off from v = 0 [s]: at the third, the motion repeats. */
+  /** When a block without kinetic friction set off from v = 0 [s]: from the third time on, the motion repeats. */
   readonly turns: number[] = []
 
   private readonly lasted = new ExactSum()
@@ -44,10 +44,10 @@ export class Slide {
     this.slip = speed > 0 ? 1 : speed < 0 ? -1 : 0
   }
 
-  /** Moves on by a phase: up to a change of the law, for a step of a series, or for ever. */
+  /** Advances by one phase: up to a change of the law, for one step of a series, or for ever. */
   next(): Phase {
     const phase = this.phase()
-    // Infinity has no low part to carry; no phase follows it.
+    // Infinity has no low part, and no phase follows it.
     if (phase.lasts < Infinity) this.lasted.add(phase.lasts)
     this.time = phase.lasts < Infinity ? this.lasted.value : Infinity
     this.s = phase.end.s
@@ -69,7 +69,7 @@ export class Slide {
     return slideStraight(s, v, slip, a, slip > 0 ? piece.to : piece.from)
   }
 
-  /** Decides for a block with v = 0 whether it stays, and if not, sets the slip direction. */
+  /** Decides whether a block with v = 0 sets off; if so, sets the slip direction. */
   private setsOff(): boolean {
     const here = this.pieceTowards(1) ?? this.pieceTowards(-1)
     if (!here) return false
@@ -85,7 +85,7 @@ export class Slide {
     return true
   }
 
-  /** The piece that a block moves on or into; undefined where the track ends. */
+  /** The piece on which a block moves, or which it enters; undefined where the track ends. */
   private pieceTowards(direction: number): Piece | undefined {
     const { track, s } = this
     return direction > 0
@@ -102,7 +102,7 @@ export class Slide {
     return this.gravity * (piece.curvature === 0 ? piece.cos : Math.cos(this.slope(piece)))
   }
 
-  /** On a crest, the block is too fast to stay on the track. */
+  /** Whether a block on a crest is too fast to stay on the track. */
   private isLifted(piece: Piece): boolean {
     return piece.curvature < 0 && this.press(piece) + piece.curvature * this.v * this.v < 0
   }

@@ -12,7 +12,7 @@ import { exactTrack } from './track.ts'
  *     s = s₀ + v₀ sin(x)/ω + a (1 − cos x)/ω²,   v = v₀ cos x + a sin(x)/ω
  *
  * written with sin(x)/x, so that no spring gives the parabola. After the first stop every half-swing lasts π/ω and
- * lessens the drive at the stops, F, by 2f (Coulomb, 1785; Den Hartog, Mechanical Vibrations): the stops are a sum in
+ * reduces the drive at the stops, F, by 2f (Coulomb, 1785; Den Hartog, Mechanical Vibrations): the stops are a sum in
  * closed form, whatever the time. An error of a few ulps of x remains in late swings.
  */
 export function exactSpring(parameters: {
@@ -74,7 +74,7 @@ export function exactSpring(parameters: {
   }
 }
 
-/** Where and when the block first has v = 0, by the amplitude of its swing less that swing's offset. */
+/** Where and when the block first has v = 0, from the amplitude and the offset of its swing. */
 function firstStop(position: number, speed: number, slip: number, a: number, omega: number) {
   if (speed === 0) return { stop: position, stopTime: 0 }
   const offset = (-slip * a) / omega
@@ -83,7 +83,7 @@ function firstStop(position: number, speed: number, slip: number, a: number, ome
   return { stop: position + (slip * way) / omega, stopTime: Math.atan2(speed, offset) / omega }
 }
 
-/** After how many half-swings friction holds a block whose drive, F at the first stop, is 2f less at each later one. */
+/** The number of half-swings until friction holds a block whose drive is F at the first stop and 2f less at each later one. */
 function halfSwingsUntilHeld(F: number, friction: number, hold: number, terms: number): number {
   if (holds(F, hold, terms)) return 0
   const n = Math.ceil((F - hold) / (2 * friction))

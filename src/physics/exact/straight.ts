@@ -2,7 +2,7 @@ import type { Phase } from './phase.ts'
 
 /**
  * A slide on a straight, up to a stop or to the piece's end: a parabola. The speed at the end is √(v² + 2ad), by factors
- * that neither cancel nor under- or overflow, and the time to it the distance over the mean of both speeds.
+ * that neither cancel nor under- or overflow; the time to the end is the distance over the mean of both speeds.
  *
  * @param v speed at the start [m/s]; where it is 0, `a` points along `slip`
  * @param a acceleration [m/s²]

@@ -5,31 +5,31 @@ import { Slide } from './slide.ts'
 import type { TrackParameters } from './slide.ts'
 
 // 3.5 MB, or 20 minutes in the half-pipe. That is as far as rounding, which grows with the phases, stays below 1e-11 or
-// below 100 times what the last bits of the parameters change. Only kinetic friction below 0.001 takes longer to stop.
+// below 100 times what the last bits of the parameters change. Only μk < 0.001 takes longer to stop.
 const MOST_PHASES = 8192
 
 /**
  * A motion on a track of straights and arcs, with friction: parabolas on the straights, Taylor series on the arcs, each
- * up to the instant of a stop or a joint. A block that reaches an outer end of the track has left it: from then on its
- * state is the one that it had there. NaN at a time that `MOST_PHASES` do not reach, and from a phase on that does not
+ * up to a stop or a joint. A block that reaches an outer end of the track has left it: from then on its
+ * state stays as it was there. NaN at times beyond `MOST_PHASES`, and from any phase on that does not
  * keep its energy to rounding.
  */
 export function exactTrack(track: Track, parameters: TrackParameters): ExactMotion {
   const slide = new Slide(track, parameters)
   const { turns } = slide
-  // When each phase begins [s], and the phases, of which later ones are computed when a time in them is asked for.
+  // When each phase begins [s], and the phases, computed as far as the latest requested time.
   const starts = [slide.time]
   const phases = [slide.next()]
   let found = 0
 
-  /** Computes the phases up to a time. Returns that time, or the one in the first period that it repeats, or NaN. */
+  /** Computes the phases up to a time. Returns it, or for a periodic motion its equivalent in the first period, or NaN. */
   function reach(t: number): number {
     while (t >= slide.time && turns.length < 3 && phases.length < MOST_PHASES) {
       starts.push(slide.time)
       phases.push(slide.next())
     }
     if (t < slide.time) return t
-    // Without kinetic friction, and between two turning points, the motion is periodic: no error grows with the swings.
+    // Without kinetic friction, a motion between two turning points is periodic, so no error grows with the swings.
     return turns.length < 3 ? NaN : turns[0]! + ((t - turns[0]!) % (turns[2]! - turns[0]!))
   }
 

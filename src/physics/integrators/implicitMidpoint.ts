@@ -1,7 +1,7 @@
 import type { Integrator } from '../integrator.ts'
 
 const MOST_ITERATIONS = 39
-// Two rounding errors of a number of size one.
+// Two rounding errors of a number of size 1.
 const ROUNDING = 2 * Number.EPSILON
 
 /** The implicit midpoint rule (Gauss, one stage): the slope half-way, at a mean velocity that solves its own equation. */
@@ -20,19 +20,19 @@ export const implicitMidpoint = {
   step: (motion) => {
     const { s, v, dt } = motion
     const half = 0.5 * dt
-    // The residual of a guess of v̄ in its equation; the secant through the last two gives the next guess.
+    // The residual of a guess of v̄; the secant through the last two residuals gives the next guess.
     let guess = v
     let residual = half * motion.acceleration(s + half * guess, guess)
     let change = residual
     for (let i = 1; Math.abs(change) > ROUNDING * (Math.abs(guess) + Math.abs(v)); i++) {
       guess += change
       const next = v - guess + half * motion.acceleration(s + half * guess, guess)
-      // Two guesses with the same residual point nowhere.
+      // Two guesses with the same residual give no secant.
       if (next === residual || i === MOST_ITERATIONS) {
         motion.unsolved++
         break
       }
-      // The quotient first: the product of two small numbers may underflow, and look as if solved.
+      // Divide first: the product of two small numbers may underflow to 0 and look solved.
       change *= next / (residual - next)
       residual = next
     }

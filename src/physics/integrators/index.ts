@@ -7,7 +7,7 @@ import { rk8 } from './rk8.ts'
 import { yoshida4 } from './yoshida4.ts'
 import { implicitMidpoint } from './implicitMidpoint.ts'
 
-/** Every integrator, from the simplest on. */
+/** Every integrator, the simplest first. */
 export const integrators = [
   explicitEuler,
   semiImplicitEuler,

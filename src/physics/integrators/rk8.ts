@@ -1,8 +1,8 @@
 import type { Integrator } from '../integrator.ts'
 
 /**
- * The slopes before it that go into each stage, and into the step: by how much they are divided, then which slope and the
- * two whole numbers p and q of its share (p + q√21) (Cooper & Verner, 1972; in this form Hairer, Nørsett & Wanner).
+ * The earlier slopes in each stage, and in the step: the common divisor, then for each slope its index and the
+ * whole numbers p and q of its weight p + q√21 (Cooper & Verner, 1972; in this form Hairer, Nørsett & Wanner).
  */
 const STAGES: readonly (readonly [number, ...(readonly [number, number, number])[]])[] = [
   [2, [1, 1, 0]],
@@ -42,14 +42,14 @@ const STAGES: readonly (readonly [number, ...(readonly [number, number, number])
   [180, [1, 9, 0], [8, 49, 0], [9, 64, 0], [10, 49, 0], [11, 9, 0]],
 ]
 
-/** The same as numbers, with those that are 0. */
+/** The weights as numbers, zeros included. */
 const shares = STAGES.map(([divisor, ...terms], i) => {
   const row = new Float64Array(i + 1)
   for (const [slope, p, q] of terms) row[slope - 1] = (p + q * Math.sqrt(21)) / divisor
   return row
 })
 
-/** A stage's sum of slopes in letters. */
+/** A stage's sum of slopes as a formula. */
 function sum([divisor, ...terms]: (typeof STAGES)[number], letter: 's' | 'v'): string {
   const written = terms.map(([slope, p, q], i) => {
     const sign = p < 0 ? ' − ' : i > 0 ? ' + ' : ''
@@ -66,7 +66,7 @@ function lowered(n: number): string {
   return `${n}`.replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]!)
 }
 
-/** The slopes of the stages: how fast s changes there, and v. */
+/** The slopes of the stages: ds/dt and dv/dt. */
 const speeds = new Float64Array(11)
 const accelerations = new Float64Array(11)
 

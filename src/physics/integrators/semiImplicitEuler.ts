@@ -1,6 +1,6 @@
 import type { Integrator } from '../integrator.ts'
 
-/** Semi-implicit (symplectic) Euler: the paper's step, whatever the paper calls it (de Vogelaere, 1956). */
+/** Semi-implicit (symplectic) Euler (de Vogelaere, 1956): the paper's step, which the paper calls forward Euler. */
 export const semiImplicitEuler = {
   id: 'semi-implicit-euler',
   label: 'Semi-implicit Euler',

@@ -1,6 +1,6 @@
 import type { Integrator } from '../integrator.ts'
 
-/** Velocity Verlet (Swope et al., 1982), with a predicted velocity where the force asks for one. */
+/** Velocity Verlet (Swope et al., 1982), with a predicted velocity where the force depends on v. */
 export const velocityVerlet = {
   id: 'velocity-verlet',
   label: 'Velocity Verlet',

@@ -4,8 +4,8 @@ import { straight } from '../track.ts'
 import { gravity, mass, muKinetic, muStatic, position, speed } from './parameters.ts'
 import { stiffness } from './spring.ts'
 
-// Slow enough for a block that starts at rest: friction alone makes it no faster than μk g √(m/k), 0.465 m/s, which is
-// where it would never stick.
+// A block that starts at rest must be able to stick: friction alone makes it no faster than μk g √(m/k) = 0.465 m/s.
+// On a faster belt it never would.
 const beltSpeed = {
   type: 'number',
   label: 'Speed of the belt',

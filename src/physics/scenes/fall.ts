@@ -15,7 +15,7 @@ const drag = {
   optional: true,
 } as const satisfies NumberOption
 
-/** The paper's ball: it falls, with the drag of air if there is any. */
+/** The paper's ball: it falls, with air drag if there is any. */
 export const fall = defineScene({
   id: 'fall',
   label: 'Fall',

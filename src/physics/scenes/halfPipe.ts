@@ -16,7 +16,7 @@ const radius = {
   optional: true,
 } as const satisfies NumberOption
 
-/** To and fro in a pipe: a pendulum. */
+/** A block that swings in a half-pipe: a pendulum. */
 export const halfPipe = defineScene({
   id: 'half-pipe',
   label: 'Half-pipe',

@@ -6,7 +6,7 @@ import { spring } from './spring.ts'
 import { crest } from './crest.ts'
 import { belt } from './belt.ts'
 
-/** Every scene, from the plainest on. */
+/** Every scene, the simplest first. */
 export const scenes = [fall, ramp, runOut, halfPipe, spring, crest, belt] as const
 
 export type SceneId = (typeof scenes)[number]['id']

@@ -1,6 +1,6 @@
 import type { NumberOption } from '../options.ts'
 
-/** The parameters that several scenes share, at their defaults. */
+/** The parameters that several scenes share, with their defaults. */
 
 export const angle = {
   type: 'number',

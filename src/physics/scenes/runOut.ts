@@ -28,7 +28,7 @@ const bendRadius = {
   optional: true,
 } as const satisfies NumberOption
 
-/** Down a hill, round a bend and out on the flat. */
+/** Down a slope, round a bend and out onto the flat. */
 export const runOut = defineScene({
   id: 'run-out',
   label: 'Run-out',

@@ -1,6 +1,6 @@
 import type { StoppingRule } from '../stoppingRule.ts'
 
-/** The paper's formula as it stands: friction against the sign of v, whenever it is evaluated. */
+/** The paper's formula as it stands: friction opposes the sign of v at each evaluation. */
 export const naive = {
   id: 'naive',
   label: 'Naive',

@@ -84,7 +84,7 @@ function durations(frames: FramesChoice, duration: number): number[] {
 /** What stays within this is at rest: a hundred times what single precision makes of a block 10 m away [m]. */
 const STILL = 1e-4
 
-/** What is odd about a run, from its numbers; null where nothing is. */
+/** A run's anomaly, in words; null if there is none. */
 export function notes(scene: EngineScene, { position, late, lifted, later }: Seen): string | null {
   if (!Number.isFinite(position)) return 'ended as no number'
   const said: string[] = []

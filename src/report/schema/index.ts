@@ -77,7 +77,7 @@ const engineRun = record({
   error: orNull(amount),
   /** How far it went between the end and `watchedUntil` [m]; null where it is not watched. */
   creep: orNull(amount),
-  /** What is odd about the run, made from its numbers; null: nothing. */
+  /** The run's anomaly, in words; null: none. */
   note: orNull(text),
 })
 

@@ -1,7 +1,7 @@
 /** These stay as they are: runs can be repeated and positions compared from them. */
 const exact = new Set(['position', 'truth', 'parameters', 'duration', 'setting'])
 
-/** The same figures with five digits, which is more than any of them is good for. */
+/** Rounds values to five digits, more than their accuracy. */
 export function rounded<T>(value: T): T {
   return tidy(value) as T
 }

@@ -130,7 +130,7 @@ export function targetTable({ targets }: Report): Table {
   }
 }
 
-/** What is odd about single runs: a line for each engine and scene, the first odd run and under which clocks others are. */
+/** Anomalies: a line for each engine and scene, the first odd run and under which clocks others are. */
 export function oddities(report: Report): string[] {
   const { runs, scenes } = report.engineTests
   const lines = new Map<string, string[]>()

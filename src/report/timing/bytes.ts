@@ -2,7 +2,7 @@ import type { Work } from './rounds.ts'
 
 const ROUNDS = 5
 
-/** So little is nothing [bytes]: no engine has a number that small. */
+/** Below this a count is 0 [bytes]: no number takes so little. */
 const NOTHING = 0.05
 
 /**

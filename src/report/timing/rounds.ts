@@ -1,6 +1,6 @@
 import type { Timing } from '../schema/index.ts'
 
-/** Something whose time is taken: `prepare` is not counted, `run` is; its result is used, so that it can't be left out. */
+/** Something whose time is taken: `prepare` is not counted, `run` is; its result is used, so that the compiler can't remove it. */
 export interface Work {
   /** How many units of work a run is: times are given for one of them. */
   readonly units: number
