@@ -1,7 +1,7 @@
 import { defineConfig } from 'vite'
 import { withoutWorker } from './vite.elements.config.ts'
 
-/** The modules of the npm package: the physics, which needs nothing, and the elements, which need Lit. */
+/** The modules of the npm package: the physics and the spread, which need nothing, and the elements, which need Lit. */
 export default defineConfig({
   base: './',
   publicDir: false,
@@ -11,7 +11,12 @@ export default defineConfig({
     outDir: 'package',
     minify: false,
     lib: {
-      entry: { physics: 'src/physics/index.ts', elements: 'src/elements.ts' },
+      entry: {
+        physics: 'src/physics/index.ts',
+        spread: 'src/measure/gameSpread.ts',
+        elements: 'src/elements.ts',
+        serverComponent: 'src/serverComponent.ts',
+      },
       formats: ['es'],
     },
     rolldownOptions: {

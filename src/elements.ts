@@ -9,6 +9,19 @@ import { defineLab } from './panels/slideLab.ts'
  */
 export { SlideFigureElement, SlideLabElement }
 export { setSite }
+export type {
+  SlideFigureEvents,
+  SlideFigureProperties,
+  SlideLabEvents,
+  SlideLabProperties,
+} from './elements/properties.ts'
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'slide-lab': SlideLabElement
+    'slide-figure': SlideFigureElement
+  }
+}
 
 // A server has no page to define them in. A page that has it twice, from two places, keeps the first.
 if (typeof document === 'object' && !customElements.get('slide-lab')) {

@@ -7,7 +7,7 @@ import { expect, test } from 'vitest'
 type Rule = { runtime: string[]; types: string[] }
 
 /** What the lab is made of, below the panels that it can open. */
-const lab = ['lab', 'lab/state', 'lab/presets', 'lab/playback']
+const lab = ['lab', 'lab/state', 'lab/presets', 'lab/engines', 'lab/playback']
 /** What every panel is made of. Panels are not among it: they do not know each other. */
 const panel = ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit']
 const panels = [
@@ -19,15 +19,18 @@ const rules: Record<string, Rule> = {
   physics: { runtime: [], types: [] },
   measure: { runtime: ['physics'], types: [] },
   chart: { runtime: [], types: [] },
+  logs: { runtime: [], types: [] },
   view: { runtime: ['chart'], types: ['physics'] },
   ui: { runtime: ['chart', 'view', 'lit'], types: ['physics'] },
   // Plain values: no lit, and nothing that draws.
   'lab/state': { runtime: ['physics', 'measure', 'chart'], types: [] },
   'lab/presets': { runtime: ['physics', 'measure', 'chart', 'lab/state'], types: [] },
+  'lab/engines': { runtime: ['physics', 'measure', 'lab/state', 'lab/presets'], types: [] },
   'lab/playback': { runtime: ['view', 'ui', 'lit'], types: ['physics'] },
   lab: { runtime: ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit'], types: [] },
   ...Object.fromEntries(panels.map((room) => [room, { runtime: panel, types: [] }])),
   'panels/measures': { runtime: panel, types: ['report'] },
+  'panels/record': { runtime: [...panel, 'logs'], types: [] },
   // Files in panels itself put the panels into a lab.
   panels: { runtime: [...panel, ...panels], types: [] },
   figures: {
@@ -179,6 +182,9 @@ test.each([
   ['panels/plots/a.ts', "import type { LabView } from '../../lab/labView.ts'", true],
   ['panels/plots/a.ts', "import { save } from '../share/shareMenu.ts'", false],
   ['panels/plots/a.ts', "import type { Measured } from '../measures/loading.ts'", false],
+  ['panels/record/a.ts', "import { readLog } from '../../logs/index.ts'", true],
+  ['panels/plots/a.ts', "import { readLog } from '../../logs/index.ts'", false],
+  ['logs/a.ts', "import { fixed } from '../chart/numbers.ts'", false],
   ['panels/plots/a.ts', "import { instruments } from '../instruments.ts'", false],
   ['panels/measures/a.ts', "import type { Report } from '../../report/schema.ts'", true],
   ['panels/runners/a.ts', "import type { Report } from '../../report/schema.ts'", false],

@@ -10,3 +10,43 @@ export function readNumber(text: string): number | undefined {
   const [numerator, denominator = '1'] = parts
   return Number(numerator) / Number(denominator)
 }
+
+/** How else a unit is written, and how many of what is written make one of it. */
+const spellings: Readonly<Record<string, Readonly<Record<string, number>>>> = {
+  s: { s: 1, sec: 1, seconds: 1, ms: 1e3, µs: 1e6, μs: 1e6, us: 1e6, min: 1 / 60 },
+  m: { m: 1, cm: 100, mm: 1e3, km: 1e-3 },
+  'm/s': { 'm/s': 1, 'km/h': 3.6 },
+  'm/s²': { 'm/s²': 1, 'm/s2': 1, 'm/s^2': 1 },
+  '°': { '°': 1, deg: 1, degrees: 1 },
+  fps: { fps: 1, hz: 1 },
+  kg: { kg: 1, g: 1e3 },
+}
+
+/**
+ * The number that a reader typed into a field of that unit: as `readNumber`, and with a decimal comma, with the unit after
+ * it or with another unit of the same quantity, as “12,5°” or “16.7 ms” in seconds. Undefined where it is none.
+ */
+export function readTyped(text: string, unit: string): number | undefined {
+  if (isAmbiguous(text)) return undefined
+  const typed = text.trim()
+  const known = spellings[unit] ?? (unit ? { [unit.toLowerCase()]: 1 } : {})
+  const spelled = Object.keys(known)
+    .filter((each) => typed.toLowerCase().endsWith(each))
+    .sort((a, b) => b.length - a.length)[0]
+  const number = spelled === undefined ? typed : typed.slice(0, -spelled.length)
+  const value = readNumber(number.includes('.') ? number : number.replace(/,(?=\d)/g, '.'))
+  return value === undefined || spelled === undefined ? value : value / known[spelled]!
+}
+
+/** Whether a comma may stand for thousands as well as for decimals: “1,234”. */
+export function isAmbiguous(text: string): boolean {
+  return /^\s*[-+−]?[1-9]\d{0,2},\d{3}(?!\d)/.test(text)
+}
+
+/** The items of a list that was typed: with blanks, semicolons or commas between them, where these are not decimal. */
+export function typedItems(text: string): string[] {
+  // A unit belongs to the number before it.
+  const joined = text.trim().replace(/(\d)\s+(?=(?:s|ms|µs|μs|us)(?:[\s,;]|$))/g, '$1')
+  const isDecimal = /\d,\d/.test(joined) && /[\s;]/.test(joined) && !/,\s|\./.test(joined)
+  return joined.split(isDecimal ? /[\s;]+/ : /[\s,;]+/).filter(Boolean)
+}

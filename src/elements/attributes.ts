@@ -5,6 +5,7 @@ import { choose } from '../lab/state/choose.ts'
 import { experimentOf, MOST_RUNNERS } from '../lab/state/check.ts'
 import { opening, openingOf } from '../lab/state/opening.ts'
 import type { LabState } from '../lab/state/state.ts'
+import { together } from '../lab/state/together.ts'
 
 /**
  * What a page asks of a lab by attributes, as text, or by properties, as values:
@@ -53,28 +54,7 @@ export function stateAsked(asked: Asked): LabState {
     }
   })
   if (problems.length > 0) throw new ExperimentError(problems)
-  return together(runs)
-}
-
-/** Runs as one lab, if they can be. */
-function together(runs: readonly ResolvedExperiment[]): LabState {
-  const { scene, parameters, duration } = runs[0]!
-  const shared = JSON.stringify([scene, parameters, duration])
-  const problems = runs.flatMap((run, i) =>
-    JSON.stringify([run.scene, run.parameters, run.duration]) === shared
-      ? []
-      : [
-          {
-            path: `experiment[${i}]`,
-            message: 'is not like the first in scene, parameters and duration, which a lab shares',
-          },
-        ],
-  )
-  if (problems.length > 0) throw new ExperimentError(problems)
-  const runners = runs.map(({ frames, timestep, integrator, stopping }, paletteIndex) => {
-    return { frames, timestep, integrator, stopping, paletteIndex, hidden: false }
-  })
-  return { scene, parameters, duration, runners }
+  return together(runs, 'experiment')
 }
 
 function start(scene: unknown): unknown[] {

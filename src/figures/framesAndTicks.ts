@@ -79,7 +79,7 @@ export const framesAndTicks = figure({
   duration: () => DURATION,
   idle: ({ timestep }) =>
     timestep === 'fixed' ? [] : timestep === 'variable' ? ['step', 'draw'] : ['draw'],
-  panels: [{ shape: { wide: 0.62, narrow: 1.12 }, draw }],
+  panels: [{ shape: { wide: 0.62, narrow: 1.27 }, draw }],
   says: ({ timestep, step }, [run]) => {
     const steps = `${run!.frames} frames, ${run!.steps} steps of physics.`
     const lag = roughly(presentationErrorSizes(run!).largest)
@@ -117,10 +117,12 @@ function draw(surface: DrawingSurface, { runs, time }: View<TickValues>): void {
   context.fillRect(0, 0, width, height)
   const left = 96
   const right = width - 64
-  const box = { left, right, top: 30, bottom: height - 158 }
+  // In a narrow graph the way up comes into every corner.
+  const legend = right - left < 320 ? 'above' : 'inside'
+  const box = { left, right, top: legend === 'above' ? 84 : 30, bottom: height - 158 }
   const graph = graphIn(box, [0, DURATION], [0, 2])
   drawAxes(context, graph, { across: 's', up: 'up the slope, m' }, palette)
-  drawLegend(surface, graph)
+  drawLegend(surface, graph, legend)
   drawMotion(surface, graph, run)
   const lanes = { frames: box.bottom + 40, ticks: box.bottom + 74, accumulator: box.bottom + 142 }
   drawLanes(surface, graph, run, lanes)
@@ -166,14 +168,19 @@ function drawMotion({ context, palette }: DrawingSurface, graph: Graph, run: Tra
   context.restore()
 }
 
-/** What is what in the graph, in its lower right corner, where the way up a slope does not come. */
-function drawLegend({ context, palette }: DrawingSurface, { box }: Graph): void {
+/** What is what in the graph: above it, or in its lower right corner, where the way up a slope does not come. */
+function drawLegend(
+  { context, palette }: DrawingSurface,
+  { box }: Graph,
+  place: 'above' | 'inside',
+): void {
   const [drawn, physics] = [palette.runners[1]!, palette.runners[0]!]
   const rows = ['the true block', 'where the physics stands', 'what frames draw']
   const colours = [palette.ink, physics.text, drawn.text] as const
   context.font = `500 12px ${palette.sans}`
   const widest = Math.max(...rows.map((text) => widthOf(context, text)))
-  const [left, top] = [box.right - widest - 8, box.bottom - 64]
+  const left = place === 'above' ? box.left + 20 : box.right - widest - 8
+  const top = place === 'above' ? 0 : box.bottom - 64
   rows.forEach((text, i) => {
     context.fillStyle = colours[i]!
     write(context, text, left, top + 16 + 18 * i, { halo: palette.sheet })

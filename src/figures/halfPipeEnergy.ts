@@ -104,12 +104,6 @@ function drawEnergy(surface: DrawingSurface, { values, runs, time }: View<Energy
   context.setLineDash([6, 4])
   line(context, { x: box.left, y: y(LIP) }, { x: box.right, y: y(LIP) })
   context.setLineDash([])
-  context.font = `500 12px ${palette.sans}`
-  context.fillStyle = palette.wrong
-  write(context, 'with more than this it leaves the pipe', box.right - 4, y(LIP) - 6, {
-    align: 'right',
-    halo: palette.sheet,
-  })
   context.save()
   clipTo(context, box)
   shown.forEach((integrator, i) => {
@@ -122,6 +116,12 @@ function drawEnergy(surface: DrawingSurface, { values, runs, time }: View<Energy
   })
   context.globalAlpha = 1
   context.restore()
+  context.font = `500 12px ${palette.sans}`
+  context.fillStyle = palette.wrong
+  write(context, 'with more than this it leaves the pipe', box.right - 4, y(LIP) - 6, {
+    align: 'right',
+    halo: palette.sheet,
+  })
   drawNames(surface, runs, values.integrator, box.bottom)
   context.strokeStyle = palette.accent
   context.lineWidth = 1

@@ -1,6 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
-import { isAddress, readAddress, writeAddress } from './state/address.ts'
+import { isAddress, isReadable, readAddress, writeAddress } from './state/address.ts'
+import { checked } from './state/check.ts'
+import type { Draft } from './state/check.ts'
 import { opening } from './state/opening.ts'
 import type { LabState } from './state/state.ts'
 
@@ -14,9 +16,19 @@ interface Linked extends ReactiveControllerHost {
 /** Browsers refuse to have the address changed at every move of a finger: Safari allows 100 times in 30 s. */
 const PAUSE = 400
 
-/** Keeps a state and the part of the page's address after `#` the same. */
+/** What the browser keeps with an address. */
+interface Kept {
+  /** A lab's state that is too long for an address. */
+  readonly lab?: LabState
+}
+
+/**
+ * Keeps a state and the part of the page's address after `#` the same. A state that is too long for an address, such as one
+ * with thousands of recorded frames, is kept by the browser beside the address: a reload brings it back.
+ */
 export class AddressLink implements ReactiveController {
   private address = ''
+  private kept: Kept | null = null
   private timer: ReturnType<typeof setTimeout> | undefined
   private readonly host: Linked
 
@@ -26,11 +38,11 @@ export class AddressLink implements ReactiveController {
   }
 
   hostConnected(): void {
-    if (location.hash.includes('=')) this.read()
+    if (location.hash.includes('=') || keptLab()) this.read()
     else {
       // It may have been changed before it was linked.
-      this.address = writeAddress(this.host.state)
-      if (this.address) this.replace()
+      this.set(this.host.state)
+      if (this.address || this.kept) this.replace()
     }
     addEventListener('hashchange', this.read)
   }
@@ -43,7 +55,7 @@ export class AddressLink implements ReactiveController {
 
   /** Writes a state into the address: at once, or soon if another was just written. */
   write(state: LabState): void {
-    this.address = writeAddress(state)
+    this.set(state)
     if (this.timer === undefined) this.replace()
   }
 
@@ -53,18 +65,25 @@ export class AddressLink implements ReactiveController {
     this.replace()
     clearTimeout(this.timer)
     this.timer = undefined
-    this.address = writeAddress(state)
+    this.set(state)
     const { pathname, search, hash } = location
-    if (hash === (this.address && `#${this.address}`)) return
-    history.pushState(null, '', this.address ? `#${this.address}` : pathname + search)
+    if (!this.kept && hash === (this.address && `#${this.address}`)) return
+    history.pushState(this.kept, '', this.address ? `#${this.address}` : pathname + search)
+  }
+
+  private set(state: LabState): void {
+    const address = writeAddress(state)
+    const isShort = isReadable(address)
+    this.address = isShort ? address : ''
+    this.kept = isShort ? null : { lab: state }
   }
 
   private replace(): void {
     const { pathname, search, hash } = location
     const wanted = this.address && `#${this.address}`
     this.timer = undefined
-    if (wanted === hash) return
-    history.replaceState(history.state, '', wanted || pathname + search)
+    if (wanted === hash && !this.kept && !keptLab()) return
+    history.replaceState(this.kept, '', wanted || pathname + search)
     this.timer = setTimeout(() => this.replace(), PAUSE)
   }
 
@@ -75,12 +94,20 @@ export class AddressLink implements ReactiveController {
       if (this.address) this.replace()
       return
     }
+    const lab = keptLab()
     this.address = address
+    this.kept = lab ? { lab } : null
     try {
-      this.host.open(readAddress(address), '')
+      this.host.open(lab ? checked(lab as Draft) : readAddress(address), '')
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
       this.host.open(opening, error.message)
     }
   }
+}
+
+/** The state that the browser keeps beside the address: one that is said in the address goes before it. */
+function keptLab(): LabState | undefined {
+  if (location.hash.includes('=')) return undefined
+  return (history.state as Kept | null)?.lab
 }

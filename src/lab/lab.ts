@@ -13,6 +13,7 @@ import type { Snapshot } from './labHistory.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
+import type { EngineChoice } from './engines/choices.ts'
 import type { Preset } from './presets/preset.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
@@ -95,6 +96,10 @@ export abstract class Lab extends LitElement implements LabView {
     return this.panels?.presets ?? []
   }
 
+  get engines(): readonly EngineChoice[] {
+    return this.panels?.engines ?? []
+  }
+
   get trajectories(): readonly Trajectory[] {
     return this.simulated.runners.map(({ trajectory }) => trajectory)
   }
@@ -133,7 +138,8 @@ export abstract class Lab extends LitElement implements LabView {
   readonly change = (change: Change): string => {
     const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
-    const preset = change.kind === 'scene' ? undefined : this.preset
+    const isElsewhere = change.kind === 'scene' || change.kind === 'state'
+    const preset = isElsewhere ? undefined : this.preset
     try {
       this.restore({ state: changed(this.state, change), preset, problem: '' })
     } catch (error) {
@@ -141,7 +147,7 @@ export abstract class Lab extends LitElement implements LabView {
       return refusal(error, change, this.simulated.scene)
     }
     this.history.add(before, this.snapshot, undoGroupOf(change))
-    if (change.kind === 'scene') this.playback.toEnd()
+    if (isElsewhere) this.playback.toEnd()
     if (change.kind === 'mode') this.panels?.glide.begin(drawn, this.recorded)
     return ''
   }

@@ -4,6 +4,7 @@ import type { PictureForces } from '../view/picture.ts'
 import type { Glide } from './glide.ts'
 import type { LabHistory } from './labHistory.ts'
 import type { Playback } from './playback/playback.ts'
+import type { EngineChoice } from './engines/choices.ts'
 import type { Preset } from './presets/preset.ts'
 import type { Change } from './state/change.ts'
 import type { Simulated } from './state/simulation.ts'
@@ -21,6 +22,8 @@ export interface LabView {
   readonly history: LabHistory
   /** All that there are; none until they are loaded. */
   readonly presets: readonly Preset[]
+  /** Of the menu of engines; none until they are loaded. */
+  readonly engines: readonly EngineChoice[]
   /** The preset that it came from, until its note is closed. */
   readonly preset: Preset | undefined
   readonly load: (preset: Preset) => void
@@ -37,6 +40,7 @@ export interface Panels {
   readonly forces?: () => PictureForces | undefined
   readonly forceDrawing?: ForceDrawing
   readonly presets?: readonly Preset[]
+  readonly engines?: readonly EngineChoice[]
 }
 
 export type OpenPanels = (lab: LabView & ReactiveControllerHost & HTMLElement) => Panels

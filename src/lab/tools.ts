@@ -10,7 +10,7 @@ export function tools(lab: LabView) {
   return html`<div class="tools" role="group" aria-label="Lab">
     ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
-    ${presetMenu(lab)}
+    ${presetMenu(lab)} ${engineMenu(lab)}
     <slide-share-menu .lab=${lab}>
       <button type="button" class="toggle" aria-expanded="false">Share</button>
     </slide-share-menu>
@@ -49,6 +49,26 @@ function presetMenu({ simulated, preset, load, presets }: LabView) {
   >
     <option value="-1" disabled selected>Presets</option>
     ${optionsOf(presets)}
+  </select>`
+}
+
+/** The menu of engines. It names the one whose runners are shown. */
+function engineMenu({ simulated, selected, preset, load, engines }: LabView) {
+  const isShown = preset?.shown.state === simulated.state
+  const picked = (event: Event) => {
+    const { state } = simulated
+    const choice = engines[Number((event.target as HTMLSelectElement).value)]!
+    load(choice.presetOf(state, state.runners[selected]!.frames))
+  }
+  return html`<select
+    class="presets engines"
+    aria-label="Your engine"
+    ?data-empty=${engines.length === 0}
+    .value=${live(String(isShown ? engines.findIndex(({ label }) => label === preset.label) : -1))}
+    @change=${picked}
+  >
+    <option value="-1" disabled selected>Your engine</option>
+    ${engines.map(({ label }, i) => html`<option value=${i}>${label}</option>`)}
   </select>`
 }
 

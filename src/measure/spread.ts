@@ -23,7 +23,7 @@ export interface Spread {
 }
 
 /** The frames under which a run must end in the same place to be called framerate-independent. */
-const spreadClocks: readonly FramesChoice[] = [
+export const spreadClocks: readonly FramesChoice[] = [
   ...[5, 10, 15, 24, 30, 60, 120, 144, 240].map((fps) => ({ kind: 'steady', fps }) as const),
   { kind: 'jitter', fps: 60, amount: 0.9, seed: 1 },
   { kind: 'hitch', fps: 60, every: 0.7, length: 0.5 },
@@ -34,7 +34,6 @@ const spreadClocks: readonly FramesChoice[] = [
  *
  * @throws ExperimentError for an experiment that can't be run
  */
-// #region spread
 export function frameRateSpread(experiment: Experiment): Spread {
   return spreadOf(spreadClocks.map((frames) => simulate({ ...experiment, frames })))
 }
@@ -54,7 +53,6 @@ export function spreadOf(runs: readonly Trajectory[]): Spread {
     scale: scaleOf(runs[0]!.experiment).length,
   }
 }
-// #endregion
 
 /** When a run ended, on the wall clock [s]: to the bit, or to a frame where the policy lets the clocks stray. */
 function endTime({ experiment, outcome, stateTime, time, lostTime }: Trajectory): number {

@@ -2,7 +2,7 @@ import { html, nothing } from 'lit'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { site } from '../lab/site.ts'
-import { linkTo } from '../lab/state/address.ts'
+import { linkTo, whyNoLink } from '../lab/state/address.ts'
 import './share/shareMenu.ts'
 import './strip/frameStrip.ts'
 
@@ -14,7 +14,7 @@ export const compact: OpenPanels = (lab) => ({
     return html`<div class="open-in-lab" part="link">
       <slide-share-menu .lab=${lab}></slide-share-menu>
       ${
-        home === null
+        home === null || whyNoLink(lab.simulated.state)
           ? nothing
           : html`<a
               href=${linkTo('index.html', home, lab.simulated.state)}

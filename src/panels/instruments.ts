@@ -3,6 +3,7 @@ import { forceDrawing } from '../view/forces.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
+import { engineChoices } from '../lab/engines/choices.ts'
 import { presets } from '../lab/presets/index.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
@@ -10,6 +11,7 @@ import { parametersPanel } from './parameters/parametersPanel.ts'
 import { runnersTable } from './runners/runnersTable.ts'
 import './measures/labMeasures.ts'
 import './plots/labPlots.ts'
+import './record/openLog.ts'
 import './record/recordFrames.ts'
 import './share/shareMenu.ts'
 import './strip/frameStrip.ts'
@@ -20,6 +22,7 @@ export const instruments: OpenPanels = (lab) => {
   return {
     glide: new Glide(lab),
     presets,
+    engines: engineChoices,
     forces: () => forces.vectors(),
     forceDrawing,
     below() {

@@ -101,6 +101,12 @@ function ids(list: readonly { readonly id: string }[]): string {
   return list.map(({ id }) => id).join(', ')
 }
 
+/**
+ * Lists that this module has made, and the option that each was found valid for. They are frozen: an experiment that was
+ * parsed before and is parsed again, as at every move of a slider, has its 100 000 frame times neither checked nor copied.
+ */
+const accepted = new WeakMap<object, ListOption>()
+
 /** Reads values of every kind, and notes what is wrong instead of stopping at it. */
 class Reader {
   readonly problems: Problem[] = []
@@ -227,17 +233,22 @@ class Reader {
     )
   }
 
-  private list(path: string, value: unknown, option: ListOption): number[] | undefined {
+  private list(path: string, value: unknown, option: ListOption): readonly number[] | undefined {
+    if (accepted.get(value as object) === option) return value as readonly number[]
     const length = this.attempt(path, () => (Array.isArray(value) ? value.length : undefined))
     if (length === undefined) this.report(path, `${show(value)} is not a list of numbers`)
     else if (!(length >= 1 && length <= option.maxLength))
       this.report(path, `${show(value)} does not hold 1…${option.maxLength} numbers`)
-    else
-      return Array.from({ length }, (_, i) => {
+    else {
+      const before = this.problems.length
+      const list = Array.from({ length }, (_, i) => {
         const at = `${path}[${i}]`
         const item = this.attempt(at, () => (value as unknown[])[i])
         return this.number(at, item, option)
       })
+      if (this.problems.length === before) accepted.set(Object.freeze(list), option)
+      return list
+    }
     return undefined
   }
 

@@ -3,7 +3,7 @@ import type { PropertyValues } from 'lit'
 import { live } from 'lit/directives/live.js'
 import type { NumberOption } from '../physics/index.ts'
 import { shownNumber, writeNumber } from '../chart/numbers.ts'
-import { readNumber } from '../chart/typedNumber.ts'
+import { isAmbiguous, readTyped } from '../chart/typedNumber.ts'
 import { freshId } from './input.ts'
 import { icon } from './icons.ts'
 import { placeOf, stepped, valueAt } from './sliderScale.ts'
@@ -161,7 +161,9 @@ class QuantityControl extends LitElement {
     const { draft } = this
     if (draft === undefined) return
     if (draft.trim() === '') this.settle()
-    else this.offer(readNumber(draft) ?? draft)
+    else if (isAmbiguous(draft))
+      this.problem = `“${draft.trim()}” may be a decimal or thousands: type a point, or no comma`
+    else this.offer(readTyped(draft, this.quantity.unit) ?? draft)
   }
 
   private readonly pressed = (event: KeyboardEvent): void => {

@@ -4,12 +4,14 @@ const followers = new Set<() => void>()
 export function onThemeChange(callback: () => void): () => void {
   const observer = new MutationObserver(callback)
   observer.observe(document.documentElement, { attributeFilter: ['data-theme'] })
-  const dark = matchMedia('(prefers-color-scheme: dark)')
-  dark.addEventListener('change', callback)
+  const system = ['(prefers-color-scheme: dark)', '(forced-colors: active)'].map((query) =>
+    matchMedia(query),
+  )
+  for (const query of system) query.addEventListener('change', callback)
   followers.add(callback)
   return () => {
     observer.disconnect()
-    dark.removeEventListener('change', callback)
+    for (const query of system) query.removeEventListener('change', callback)
     followers.delete(callback)
   }
 }

@@ -40,7 +40,10 @@ export class PaletteReader {
   }
 
   read(): Palette {
-    const key = ['--ink', '--sheet', '--accent', '--sans'].map((name) => this.get(name)).join()
+    // “CanvasText” stays what it is when the system's colours change; the colour of text does not.
+    const key = ['color', '--ink', '--sheet', '--accent', '--sans']
+      .map((name) => this.get(name))
+      .join()
     if (!this.palette || key !== this.key) {
       this.key = key
       this.palette = this.readAll()
@@ -59,6 +62,10 @@ export class PaletteReader {
     const sheet = colour('--sheet', '#ffffff')
     const accent = colour('--accent', '#0a5cc5')
     const legible = (value: string) => css(readable(toRgb(value), toRgb(sheet), toRgb(ink)))
+    // The page's colours suit the page's sheet. On the system's they are moved as far as they must be to be seen.
+    const isForced = this.get('--forced-colors') === 'active'
+    const seen = (name: string, fallback: string) =>
+      isForced ? legible(colour(name, fallback)) : colour(name, fallback)
     return {
       ink,
       sheet,
@@ -67,20 +74,20 @@ export class PaletteReader {
       inkSoft: colour('--ink-soft', '#5c6370'),
       paper: colour('--paper', '#fbfaf6'),
       ground: colour('--ground', '#eeece4'),
-      line: colour('--line', '#dfddd4'),
+      line: isForced ? css(mix(toRgb(sheet), toRgb(ink), 0.3)) : colour('--line', '#dfddd4'),
       edge: colour('--edge', '#8d9097'),
-      wrong: colour('--wrong', '#b3261e'),
+      wrong: seen('--wrong', '#b3261e'),
       runners: okabeIto.map((fallback, i) => {
-        const fill = colour(`--runner-${i}`, fallback)
+        const fill = seen(`--runner-${i}`, fallback)
         return { fill, text: legible(fill) }
       }),
       arrows: {
-        gravity: colour('--force-gravity', ink),
-        normal: colour('--force-normal', ink),
-        friction: colour('--force-friction', ink),
-        other: colour('--force-other', ink),
-        sum: colour('--force-sum', ink),
-        velocity: colour('--velocity', ink),
+        gravity: seen('--force-gravity', ink),
+        normal: seen('--force-normal', ink),
+        friction: seen('--force-friction', ink),
+        other: seen('--force-other', ink),
+        sum: seen('--force-sum', ink),
+        velocity: seen('--velocity', ink),
       },
       sans: this.get('--sans') || 'system-ui, sans-serif',
       serif: this.get('--serif') || 'Georgia, serif',

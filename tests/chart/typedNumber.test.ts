@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { shownNumber, writeNumber } from '../../src/chart/numbers.ts'
-import { readNumber } from '../../src/chart/typedNumber.ts'
+import { isAmbiguous, readNumber, readTyped, typedItems } from '../../src/chart/typedNumber.ts'
 
 test.each([
   ['1e-3', 0.001],
@@ -39,3 +39,56 @@ test('a field shows a true minus and no idle digits', () => {
   expect(shownNumber(Math.PI)).toBe('3.14159')
   expect(shownNumber(1e-12)).toBe('1e−12')
 })
+
+test.each([
+  ['12,5', '°', 12.5],
+  ['12.5°', '°', 12.5],
+  ['−12,5 °', '°', -12.5],
+  ['20 deg', '°', 20],
+  ['30 fps', 'fps', 30],
+  ['59,94 Hz', 'fps', 59.94],
+  ['144FPS', 'fps', 144],
+  ['1/60 s', 's', 1 / 60],
+  ['16.7 ms', 's', 0.0167],
+  ['16,7ms', 's', 0.0167],
+  ['500 µs', 's', 0.0005],
+  ['5 min', 's', 300],
+  ['3 s', 's', 3],
+  ['25 cm', 'm', 0.25],
+  ['2 m', 'm', 2],
+  ['18 km/h', 'm/s', 5],
+  ['9,81 m/s²', 'm/s²', 9.81],
+  ['9.81 m/s2', 'm/s²', 9.81],
+  ['250 g', 'kg', 0.25],
+  ['40 N/m', 'N/m', 40],
+  ['0,125', '', 0.125],
+  ['1e-3', '', 0.001],
+])('“%s” typed in %s is %d', (text, unit, value) => expect(readTyped(text, unit)).toBe(value))
+
+test.each([
+  ['30 m', '°'],
+  ['30 s', 'fps'],
+  ['5 fps', ''],
+  ['fps', 'fps'],
+  ['1,2,3', ''],
+  ['1.234,5', ''],
+  ['12,', ''],
+  ['1,234', ''],
+])('“%s” typed in %s is no number', (text, unit) => expect(readTyped(text, unit)).toBeUndefined())
+
+test('a comma before three digits may mean thousands, but not after a zero', () => {
+  for (const text of ['1,234', '-12,500', ' 999,000 m ']) expect(isAmbiguous(text)).toBe(true)
+  for (const text of ['0,125', '1,23', '1,2345', '1234,567', '12.5'])
+    expect(isAmbiguous(text)).toBe(false)
+})
+
+test.each([
+  ['0.016, 0.033', ['0.016', '0.033']],
+  ['0.016 0.033\t0.02', ['0.016', '0.033', '0.02']],
+  ['0,016 0,033', ['0,016', '0,033']],
+  ['0,016;0,033', ['0,016', '0,033']],
+  ['1,2', ['1', '2']],
+  ['16,7 ms 33,3 ms', ['16,7ms', '33,3ms']],
+  ['0.02 soon', ['0.02', 'soon']],
+  [' ', []],
+])('the list “%s” has its items', (text, items) => expect(typedItems(text)).toEqual(items))

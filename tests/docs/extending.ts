@@ -25,7 +25,7 @@ function source(path: string): string {
  * A text after a diff, each of whose parts must fit at exactly one place. A line of `…` parts it; within a line, `…` stands
  * for what is there.
  */
-function patched(path: string, text: string, diff: string): string {
+export function patched(path: string, text: string, diff: string): string {
   return diff.split(/^ …\n/m).reduce((before, part) => {
     const lines = part.trimEnd().split('\n')
     const without = (sign: string) =>

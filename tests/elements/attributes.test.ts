@@ -81,7 +81,7 @@ describe('attributes', () => {
       expect.stringMatching(/^integrator: "rk5" is not one of .*did you mean rk4\?$/),
       'duration: "long" is not a number',
     ])
-    expect(problems({ fps: '10 0' })).toEqual(['fps: 0 is not in 1…1000'])
+    expect(problems({ fps: '10 0' })).toEqual(['fps: 0 is not in 1…10000'])
     expect(problems({ timestep: 'fixd' })).toEqual([expect.stringMatching(/^timestep: "fixd" is/)])
     expect(problems({ experiment: '{' })).toEqual([
       expect.stringMatching(/^experiment: is not JSON/),

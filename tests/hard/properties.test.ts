@@ -180,6 +180,7 @@ describe('frames', () => {
       const timestep = {
         ...experiment.timestep,
         maxSteps: 100_000,
+        cap: 60,
       } as ResolvedExperiment['timestep']
       const one = simulate({ ...experiment, timestep })
       const other = simulate({ ...experiment, timestep, frames })

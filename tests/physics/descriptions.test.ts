@@ -93,14 +93,26 @@ describe('options', () => {
   })
 
   it('tell of a bound that is as good as none', () => {
-    const [maxSteps] = numbers.filter(({ option }) => option.atMax !== undefined)
-    expect(maxSteps!.name).toBe('fixed maxSteps')
-    expect(maxSteps!.option.atMax).toBe('no limit')
+    const bounds = numbers.filter(({ option }) => option.atMax !== undefined)
+    expect(bounds.map(({ name }) => name)).toEqual([
+      'substeps maxSteps',
+      'fixed maxSteps',
+      'fixed cap',
+    ])
+    for (const { option } of bounds) {
+      expect(option.atMax).toBe('no limit')
+      expect(option.initial).toBe(option.max)
+    }
   })
 
   it('that count are whole, all others any number', () => {
     const whole = numbers.filter(({ option }) => option.integer).map(({ name }) => name)
-    expect(whole).toEqual(['fixed maxSteps', 'jitter seed', 'missed-vsync seed'])
+    expect(whole).toEqual([
+      'substeps maxSteps',
+      'fixed maxSteps',
+      'jitter seed',
+      'missed-vsync seed',
+    ])
   })
 
   it('may be left out of a scene, all of them; a policy or a clock needs those without which it says nothing', () => {

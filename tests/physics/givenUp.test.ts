@@ -18,14 +18,14 @@ describe('a run is given up', () => {
   })
 
   it('in the first frame after as many evaluations as are allowed', () => {
-    const limited = limits as { evaluations: number }
-    const { evaluations } = limited
+    const limited = limits as { toTolerance: object }
+    const { toTolerance } = limited
     const experiment: Experiment = {
       ...{ scene: 'half-pipe', integrator: 'velocity-verlet', duration: 10 },
       timestep: { kind: 'tolerance', tolerance: 1e-9 },
     }
     const whole = simulate({ ...experiment, duration: 1 })
-    limited.evaluations = whole.evaluations
+    limited.toTolerance = { evaluations: whole.evaluations, evaluationsAFrame: 0 }
     try {
       const run = simulate(experiment)
       expect(run.outcome.kind).toBe('diverged')
@@ -34,24 +34,24 @@ describe('a run is given up', () => {
       expect(run.outcome.time).toBeLessThan(1.2)
       expect(run.s.slice(0, 61)).toEqual(whole.s)
     } finally {
-      limited.evaluations = evaluations
+      limited.toTolerance = toTolerance
     }
   })
 
   it('unless it has just ended by itself', () => {
-    const limited = limits as { evaluations: number }
-    const { evaluations } = limited
+    const limited = limits as { toTolerance: object }
+    const { toTolerance } = limited
     const experiment: Experiment = {
       ...{ scene: 'half-pipe', parameters: { position: 0, speed: 8 }, duration: 1 },
       ...{ integrator: 'velocity-verlet', timestep: { kind: 'tolerance', tolerance: 1e-9 } },
     }
     const whole = simulate(experiment)
     expect(whole.outcome.kind).toBe('left-the-track')
-    limited.evaluations = whole.evaluations - 1
+    limited.toTolerance = { evaluations: whole.evaluations - 1, evaluationsAFrame: 0 }
     try {
       expect(simulate(experiment).outcome).toEqual(whole.outcome)
     } finally {
-      limited.evaluations = evaluations
+      limited.toTolerance = toTolerance
     }
   })
 })

@@ -55,7 +55,7 @@ describe('parseExperiment', () => {
 
   it('names the path, what was given and what is allowed', () => {
     expect(refusal({ scene: 'ramp', frames: { kind: 'steady', fps: 0 } }).message).toBe(
-      'frames.fps: 0 is not in 1…1000',
+      'frames.fps: 0 is not in 1…10000',
     )
   })
 

@@ -10,7 +10,9 @@ const choices: Timestep[] = [
   { kind: 'substeps', step: 1 / 250 },
   { kind: 'substeps', step: 1 },
   { kind: 'fixed', step: 1 / 250 },
+  { kind: 'substeps', step: 1 / 250, maxSteps: 2 },
   { kind: 'fixed', step: 1 / 250, maxSteps: 2 },
+  { kind: 'fixed', step: 1 / 250, cap: 0.01 },
 ]
 
 it.each(choices)('a policy tells how many steps a run takes, at the most: %o', (timestep) => {

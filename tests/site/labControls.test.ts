@@ -67,7 +67,7 @@ describe('a runner', () => {
     const before = await spread()
     await rate.fill('0')
     await rate.press('Enter')
-    expect(await runner(0).getByRole('alert').innerText()).toBe('0 is not in 1…1000')
+    expect(await runner(0).getByRole('alert').innerText()).toBe('0 is not in 1…10000')
     expect(await rate.getAttribute('aria-invalid')).toBe('true')
     expect(await spread()).toBe(before)
     await rate.press('ArrowUp')

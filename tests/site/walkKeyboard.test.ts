@@ -12,7 +12,7 @@ async function loadPlots({ page }: Lab): Promise<void> {
 /** Waits until the diagram is measured: until then there is a button to cancel it. */
 async function measuresRest({ page }: Lab): Promise<void> {
   await page.locator('slide-lab-measures').scrollIntoViewIfNeeded()
-  await page.locator('slide-speed-diagram table').waitFor({ state: 'attached' })
+  await page.locator('slide-speed-diagram summary').first().waitFor()
   await page.getByRole('button', { name: 'Cancel' }).waitFor({ state: 'detached' })
   await page.evaluate(() => scrollTo(0, 0))
 }

@@ -23,8 +23,8 @@ class FramesRecorder extends Recorder {
       }`
   }
 
-  protected override take(durations: readonly number[]): void {
-    this.message = 'Recorded.'
+  protected override take(durations: readonly number[], coarse: string): void {
+    this.message = coarse || 'Recorded.'
     this.pick(durations)
   }
 }

@@ -1,7 +1,7 @@
 import { ExperimentError, scenes } from '../../physics/index.ts'
 import type { Problem, SceneId } from '../../physics/index.ts'
 import { withParameters } from '../../measure/index.ts'
-import { writeNumber } from '../../chart/numbers.ts'
+import { count, writeNumber } from '../../chart/numbers.ts'
 import { readNumber } from '../../chart/typedNumber.ts'
 import { checked } from './check.ts'
 import { opening, openingOf } from './opening.ts'
@@ -28,6 +28,18 @@ export function writeAddress(state: LabState): string {
   return fields.join('&')
 }
 
+/** Whether `readAddress` takes an address that is so long. */
+export function isReadable(address: string): boolean {
+  return address.length <= LONGEST
+}
+
+/** Why there is no link to a state; empty where there is one. */
+export function whyNoLink(state: LabState): string {
+  const { length } = writeAddress(state)
+  if (length <= LONGEST) return ''
+  return `Too many recorded frames for a link: it would have ${count(length)} characters, and ${count(LONGEST)} can be read again.`
+}
+
 /** More than the longest link that a browser or a chat lets through; reading as much takes a moment [characters]. */
 const LONGEST = 50_000
 
@@ -38,7 +50,7 @@ const LONGEST = 50_000
  */
 export function readAddress(address: string): LabState {
   const { length } = address
-  if (length > LONGEST) {
+  if (!isReadable(address)) {
     const message = `has ${length} characters, more than the ${LONGEST} that are read`
     throw new ExperimentError([{ path: 'address', message }])
   }

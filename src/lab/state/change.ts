@@ -17,6 +17,7 @@ export type Change =
   | { kind: 'add'; frames?: RunnerState['frames'] }
   | { kind: 'duplicate'; index: number }
   | { kind: 'remove'; index: number }
+  | { kind: 'state'; state: LabState }
 
 /**
  * The state after a change.
@@ -49,6 +50,8 @@ export function changed(state: LabState, change: Change): LabState {
       return withNew(state, change.index, {})
     case 'remove':
       return checked({ ...state, runners: state.runners.filter((_, i) => i !== change.index) })
+    case 'state':
+      return change.state
   }
 }
 

@@ -29,12 +29,17 @@ export function clockworkOf(trajectory: Trajectory): Clockwork {
   const step = timestep.kind === 'fixed' ? timestep.step : undefined
   const isTried = timestep.kind === 'tolerance' && trajectory.steps <= MOST_STEPS
   const tries = isTried ? triesOf(experiment as Experiment) : undefined
+  const cap = timestep.kind === 'fixed' ? timestep.cap : Infinity
+  // What the frames so far exceed the cap by.
+  let excess = 0
   const lost = new Float64Array(frames + 1)
   const accumulator = new Float64Array(frames + 1)
   for (let row = 1; row <= frames; row++) {
     const late = time[row]! - stateTime[row]!
+    excess += Math.max(0, time[row]! - time[row - 1]! - cap)
     // The accumulator holds less than a step, so that the whole steps of a delay are those that were dropped.
-    const dropped = step === undefined ? late : Math.floor(late / step + 1e-6) * step
+    const dropped =
+      step === undefined ? late : excess + Math.floor((late - excess) / step + 1e-6) * step
     if (lostTime > 0) lost[row] = Math.max(lost[row - 1]!, Math.min(dropped, lostTime))
     if (step !== undefined) accumulator[row] = Math.max(0, late - lost[row]!)
   }

@@ -20,6 +20,35 @@ export function durationsOf(timestamps: readonly number[]): number[] {
     .map((length) => Math.min(length / TICKS, LONGEST))
 }
 
+/** What browsers coarsen their clocks to, against pages that measure too much [ms], and what can't be told then. */
+const coarse: readonly (readonly [number, string])[] = [
+  [
+    100,
+    'All times are multiples of 100 ms: the browser has coarsened its clock, and how long the frames were can’t be told.',
+  ],
+  [
+    1000 / 60,
+    'All times are multiples of 16.7 ms: either every frame took whole refreshes of a 60 Hz display, or the browser has coarsened its clock. The recording can’t tell.',
+  ],
+  [
+    1,
+    'All times are multiples of 1 ms: the browser has coarsened its clock, and differences below 1 ms can’t be told.',
+  ],
+]
+/** Far fewer may be multiples by chance. */
+const FEWEST = 10
+
+/** What can't be told from timestamps [ms] because the clock was coarsened; empty where it was not. */
+export function coarseClock(timestamps: readonly number[]): string {
+  if (timestamps.length < FEWEST) return ''
+  const isMultiple = (unit: number) => (timestamp: number) => {
+    const units = (timestamp - timestamps[0]!) / unit
+    // Timestamps have a few digits.
+    return Math.abs(units - Math.round(units)) * unit < 0.02
+  }
+  return coarse.find(([unit]) => timestamps.every(isMultiple(unit)))?.[1] ?? ''
+}
+
 /** What a list of frame times is like; times in seconds. */
 export interface Summary {
   readonly frames: number
@@ -32,8 +61,8 @@ export interface Summary {
   readonly rate: number
 }
 
-export function summarize(durations: readonly number[]): Summary {
-  const sorted = [...durations].sort((a, b) => a - b)
+export function summarize(durations: Iterable<number>): Summary {
+  const sorted = Float64Array.from(durations).sort()
   const quantile = (part: number) => sorted[Math.max(0, Math.ceil(part * sorted.length) - 1)]!
   const median = quantile(0.5)
   const usual = sorted.filter((each) => each > 0.5 * median && each < 1.5 * median)
@@ -47,13 +76,22 @@ export function summarize(durations: readonly number[]): Summary {
   }
 }
 
+/** Lists that a lab keeps are said again at every change of anything else. */
+const texts = new WeakMap<readonly number[], string>()
+
 /** The same in a sentence. */
 export function summaryText(durations: readonly number[]): string {
+  const text = texts.get(durations) ?? textOf(durations)
+  texts.set(durations, text)
+  return text
+}
+
+function textOf(durations: readonly number[]): string {
   const { frames, total, median, most, longest, rate } = summarize(durations)
   const ms = (seconds: number) => `${fixed(seconds * 1000, 1)} ms`
   return `${frames} frames in ${fixed(total, 1)} s, about ${Math.round(rate)} Hz: median ${ms(median)}, 99 % within ${ms(most)}, longest ${ms(longest)}.`
 }
 
-function sum(list: readonly number[]): number {
+function sum(list: Float64Array): number {
   return list.reduce((total, each) => total + each, 0)
 }

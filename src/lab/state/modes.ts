@@ -59,7 +59,7 @@ export const modes = [
     about:
       'Physics takes steps of 1/60 s whatever the frames do, and the picture is drawn between two of them. Every frame rate agrees: a step late, and all on the same wrong place.',
     method: {
-      timestep: { kind: 'fixed', step, maxSteps: 100000, draw: 'interpolated' },
+      timestep: { kind: 'fixed', step, maxSteps: 100000, cap: 60, draw: 'interpolated' },
       integrator: 'semi-implicit-euler',
       stopping: 'clamped',
     },

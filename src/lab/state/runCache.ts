@@ -8,7 +8,7 @@ export class RunCache {
   run(experiments: readonly Experiment[]): Trajectory[] {
     const runs = new Map<string, Trajectory>()
     const trajectories = experiments.map((experiment) => {
-      const key = JSON.stringify(experiment)
+      const key = JSON.stringify(experiment, named)
       const trajectory = runs.get(key) ?? this.runs.get(key) ?? simulate(experiment)
       runs.set(key, trajectory)
       return trajectory
@@ -16,4 +16,15 @@ export class RunCache {
     this.runs = runs
     return trajectories
   }
+}
+
+let count = 0
+const names = new WeakMap<object, string>()
+
+/** Lists by name: an experiment that was parsed keeps its list, and 100 000 frame times are much to write. */
+function named(_: string, value: unknown): unknown {
+  if (!Array.isArray(value)) return value
+  const name = names.get(value) ?? `list ${++count}`
+  names.set(value, name)
+  return name
 }

@@ -4,7 +4,7 @@ import { writeNumber } from '../../chart/numbers.ts'
 import { readNumber } from '../../chart/typedNumber.ts'
 import { MOST_RUNNERS } from './check.ts'
 import type { DraftRunner } from './check.ts'
-import { readDurations, writeDurations } from './durationCode.ts'
+import { readDurations, writeDurations, writeRounded } from './durationCode.ts'
 import type { RunnerState } from './state.ts'
 
 /*
@@ -18,6 +18,9 @@ import type { RunnerState } from './state.ts'
  * left out is at the default of an experiment, so the example begins with velocity Verlet, located stops and a variable
  * step at 10 fps.
  */
+
+/** A list may take so much of an address as it stands [characters]. */
+const LONG = 10_000
 
 /** Runners as text. */
 export function writeRunners(runners: readonly RunnerState[]): string {
@@ -57,12 +60,22 @@ function call(
 }
 
 function writeValue(value: unknown): string {
-  if (Array.isArray(value)) {
-    const plain = value.map(writeValue).join('+')
-    const code = writeDurations(value as number[])
-    return code && code.length < plain.length ? code : plain
-  }
+  if (Array.isArray(value)) return writeList(value as number[])
   return typeof value === 'number' ? writeNumber(value) : String(value)
+}
+
+/** Lists as text: the same ones are written at every change of anything else. */
+const written = new WeakMap<readonly number[], string>()
+
+/** As exact as it is where that takes no more room; otherwise its times are rounded to a microsecond. */
+function writeList(list: readonly number[]): string {
+  const known = written.get(list)
+  if (known !== undefined) return known
+  const plain = list.map(writeNumber).join('+')
+  const code = writeDurations(list) ?? (plain.length > LONG ? writeRounded(list) : plain)
+  const text = code.length < plain.length ? code : plain
+  if (Object.isFrozen(list)) written.set(list, text)
+  return text
 }
 
 function readRunner(text: string, turn: number, problems: Problem[]): DraftRunner {

@@ -5,6 +5,7 @@ import type {
   Stretch,
   Trajectory,
 } from '../../physics/index.ts'
+import { clockworkOf } from '../../lab/state/clockwork.ts'
 import { count, say } from './said.ts'
 import type { Said } from './said.ts'
 import { triesIn } from './tries.ts'
@@ -41,11 +42,15 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
       const length = steps[0]?.dt
       if (length === undefined)
         return say`Equal parts of the frame, none longer than ${timestep.step} s.`
-      const parts = count(Math.round(lasts / length), 'equal part')
-      return say`${lasts} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`
+      const time = Math.min(lasts, rounded(timestep.step * timestep.maxSteps))
+      const parts = count(Math.round(time / length), 'equal part')
+      return [
+        ...say`${time} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`,
+        ...(time < lasts ? say` The other ${rounded(lasts - time)} s of the frame is lost.` : []),
+      ]
     }
     case 'fixed':
-      return fixedWords(run, row, timestep.step)
+      return fixedWords(run, row, timestep.step, timestep.cap)
   }
 }
 
@@ -58,30 +63,22 @@ function toleranceWords(tolerance: number, steps: readonly PolicyStep[]): Said {
   return say`An error of ${tolerance} m is allowed in each second: ${kept === 1 ? '1 try is' : `${kept} tries are`} kept${taken}.`
 }
 
-/** The accumulator holds the time by which the wall clock is ahead, without the whole steps that were dropped. */
-function fixedWords(run: Trajectory, row: number, step: number): Said {
-  const { time, stateTime } = run
-  const [before, after] = [row - 1, row].map((at) => {
-    const ahead = time[at]! - stateTime[at]!
-    const dropped = Math.floor(ahead / step + 1e-9)
-    return { dropped, left: rounded(ahead - dropped * step) }
-  }) as [Accumulator, Accumulator]
-  const taken = Math.round((stateTime[row]! - stateTime[row - 1]!) / step)
-  const lost = after.dropped - before.dropped
+/** What the accumulator held, what the frame paid in, and what was dropped: by the cap, and in whole steps. */
+function fixedWords(run: Trajectory, row: number, step: number, cap: number): Said {
+  const { accumulator, lost } = clockworkOf(run)
+  const lasts = frameLength(run, row)
+  const cut = Math.max(0, rounded(lasts - cap))
+  const dropped = Math.round((lost[row]! - lost[row - 1]! - cut) / step)
+  const taken = Math.round((run.stateTime[row]! - run.stateTime[row - 1]!) / step)
   const steps = count(taken, 'fixed step')
   return [
-    ...say`${before.left} s in the accumulator + ${frameLength(run, row)} s → ${steps} of ${step} s, `,
-    ...say`${after.left} s left in the accumulator.`,
-    ...(lost > 0
-      ? say` ${count(lost, 'step')} more would have been due: ${rounded(lost * step)} s is lost.`
+    ...say`${rounded(accumulator[row - 1]!)} s in the accumulator + ${rounded(lasts - cut)} s → ${steps} of ${step} s, `,
+    ...say`${rounded(accumulator[row]!)} s left in the accumulator.`,
+    ...(cut > 0 ? say` The frame exceeds the cap: ${cut} s is lost.` : []),
+    ...(dropped > 0
+      ? say` ${count(dropped, 'step')} more would have been due: ${rounded(dropped * step)} s is lost.`
       : []),
   ]
-}
-
-interface Accumulator {
-  readonly dropped: number
-  /** [s] */
-  readonly left: number
 }
 
 /** What the stopping rule found before the step of a block that stood still, if it did: whether it stays. */

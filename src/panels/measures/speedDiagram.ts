@@ -197,7 +197,9 @@ export function ringKey(runners: readonly LabRunner[]) {
     )}
     ${
       runners.some(({ point }) => point?.runner!.apart)
-        ? html`<li class="soft">Dashed: stops or steps otherwise than the curves</li>`
+        ? html`<li class="soft">
+            Dashed rings: another stopping rule or time step than the curves
+          </li>`
         : nothing
     }
   </ul>`

@@ -16,7 +16,7 @@ export interface Bin {
 }
 
 /** Frame times [s] sorted into bins of a round width, from 0 on: as many as it takes, or as can be told apart. */
-export function binsOf(durations: readonly number[], median: number): Bin[] {
+export function binsOf(durations: Iterable<number>, median: number): Bin[] {
   // In whole units of a hundredth of a millisecond, so that a time on an edge is on the right side of it.
   const unit = 1e5
   const width = Math.max(1, Math.round(roundBelow(median / FINENESS) * unit))

@@ -1,10 +1,10 @@
 import { html, nothing } from 'lit'
 import { fixed, plain } from '../../chart/numbers.ts'
 import type { LabView } from '../../lab/labView.ts'
-import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import { summarize, summaryText } from '../../lab/state/frameTimes.ts'
 import { binsOf, histogram } from './histogram.ts'
 import { Recorder } from './recorder.ts'
+import { useFrames } from './useFrames.ts'
 
 /**
  * Takes down the frame times of the reader's own browser and makes them the clock of a runner.
@@ -23,6 +23,8 @@ class RecordFrames extends Recorder {
   declare lab: LabView
   declare selected: string
   declare private durations: readonly number[]
+  /** What a clock that tells time too coarsely leaves open. */
+  private coarse = ''
   private hadFocus = false
 
   constructor() {
@@ -60,8 +62,9 @@ class RecordFrames extends Recorder {
     super.start()
   }
 
-  protected override take(durations: readonly number[]): void {
+  protected override take(durations: readonly number[], coarse: string): void {
     this.durations = durations
+    this.coarse = coarse
   }
 
   private progress(part: number) {
@@ -79,37 +82,17 @@ class RecordFrames extends Recorder {
     return html`<div class="sample">
       <p>${about}</p>
       ${histogram(binsOf(durations, summarize(durations).median), `Histogram of frame times: ${about}`)}
+      ${this.coarse ? html`<p><b>${this.coarse}</b></p>` : nothing}
       <p class="small">
         Browsers round the times they tell, some to 0.1 ms and some to 1 ms; here they are rounded
         to 0.1 ms.
       </p>
-      <button type="button" class="add" @click=${this.use}>Use for ${this.selected}</button>
-      <button
-        type="button"
-        class="add"
-        ?disabled=${this.lab.simulated.runners.length >= MOST_RUNNERS}
-        @click=${this.add}
-      >
-        Use for a new runner
-      </button>
+      ${useFrames({
+        ...{ lab: this.lab, selected: this.selected, whose: 'your frames' },
+        durations: () => [...durations],
+        tell: (message) => (this.message = message),
+      })}
     </div>`
-  }
-
-  private readonly use = (): void => {
-    const { lab, frames } = this
-    this.message =
-      lab.change({ kind: 'runner', index: lab.selected, values: { frames } }) ||
-      `${this.selected} now has your frames.`
-  }
-
-  private readonly add = (): void => {
-    const { lab, frames } = this
-    this.message = lab.change({ kind: 'add', frames }) || 'A new runner has your frames.'
-    lab.select(lab.simulated.runners.length - 1)
-  }
-
-  private get frames() {
-    return { kind: 'recorded', durations: [...this.durations] } as const
   }
 }
 

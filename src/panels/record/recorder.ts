@@ -1,5 +1,5 @@
 import { LitElement } from 'lit'
-import { durationsOf } from '../../lab/state/frameTimes.ts'
+import { coarseClock, durationsOf } from '../../lab/state/frameTimes.ts'
 import { animationFrames, record } from './recording.ts'
 import type { FrameSource } from './recording.ts'
 
@@ -36,8 +36,8 @@ export abstract class Recorder extends LitElement {
     this.stop()
   }
 
-  /** Called with the frame times that were recorded [s]. */
-  protected abstract take(durations: readonly number[]): void
+  /** Called with the frame times that were recorded [s], and with what a coarse clock leaves open, if it is one. */
+  protected abstract take(durations: readonly number[], coarse: string): void
 
   protected start(): void {
     this.stop()
@@ -51,7 +51,7 @@ export abstract class Recorder extends LitElement {
       },
       done: (timestamps) => {
         this.stop()
-        this.take(durationsOf(timestamps))
+        this.take(durationsOf(timestamps), coarseClock(timestamps))
       },
     })
     document.addEventListener('visibilitychange', this.whenHidden)

@@ -2,7 +2,7 @@ import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import type { ChoiceOption, ListOption, Option, Options } from '../../physics/index.ts'
 import { writeNumber } from '../../chart/numbers.ts'
-import { readNumber } from '../../chart/typedNumber.ts'
+import { readTyped, typedItems } from '../../chart/typedNumber.ts'
 import '../../ui/quantityControl.ts'
 import { summaryText } from '../../lab/state/frameTimes.ts'
 
@@ -61,6 +61,9 @@ function choiceField(
   </label>`
 }
 
+/** More of them nobody reads in a field, and writing them takes a while at every change. */
+const MOST_TYPED = 2000
+
 /** Frame times, the only lists there are: how many, and unfolded all of them, with blanks or commas between. */
 function timesField(
   of: string,
@@ -70,14 +73,10 @@ function timesField(
 ) {
   const changed = (event: Event) => {
     const { value } = event.target as HTMLInputElement
-    const items = value.split(/[\s,;]+/).filter(Boolean)
-    pick(items.map((item) => readNumber(item) ?? item))
+    pick(typedItems(value).map((item) => readTyped(item, unit) ?? item))
   }
-  return html`<details class="times">
-    <summary title=${summaryText(times)}>
-      ${times.length} ${times.length === 1 ? 'frame' : 'frames'}
-    </summary>
-    <label class="choice">
+  const field = () =>
+    html`<label class="choice">
       ${label} [${unit}]
       <input
         type="text"
@@ -87,6 +86,11 @@ function timesField(
         .value=${times.map(writeNumber).join(' ')}
         @change=${changed}
       />
-    </label>
+    </label>`
+  return html`<details class="times">
+    <summary title=${summaryText(times)}>
+      ${times.length} ${times.length === 1 ? 'frame' : 'frames'}
+    </summary>
+    ${times.length > MOST_TYPED ? html`<p>Too many to be typed.</p>` : field()}
   </details>`
 }

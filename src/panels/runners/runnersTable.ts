@@ -43,6 +43,7 @@ export function runnersTable(lab: LabView) {
       .lab=${lab}
       .selected=${runners[lab.selected]?.name ?? ''}
     ></slide-record-frames>
+    <slide-open-log .lab=${lab} .selected=${runners[lab.selected]?.name ?? ''}></slide-open-log>
     ${notes(lab)}
   </section>`
 }

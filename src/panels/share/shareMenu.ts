@@ -2,8 +2,10 @@ import { html, LitElement, nothing } from 'lit'
 import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { isPublic, onSiteChange, site } from '../../lab/site.ts'
-import { linkTo } from '../../lab/state/address.ts'
+import { linkTo, whyNoLink } from '../../lab/state/address.ts'
 import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
+import type { CsvStyle } from './texts.ts'
+import { pictureOf } from './picture.ts'
 
 /**
  * A button with a menu under it of ways to take elsewhere what a lab shows.
@@ -74,7 +76,8 @@ class ShareMenu extends LitElement {
         ${this.open ? this.links() : nothing}
         ${this.item('Copy as JSON', () => this.copy(toJson(this.state)))}
         ${this.item('Save picture (PNG)', this.savePicture)}
-        ${this.item('Save data (CSV)', this.saveData)}
+        ${this.item('Save data (CSV)', () => this.saveData())}
+        ${this.item(semicolons.label, () => this.saveData(semicolons))}
         ${
           this.byHand
             ? html`<textarea
@@ -93,7 +96,7 @@ class ShareMenu extends LitElement {
   private links() {
     const home = site()
     if (home === null) return nothing
-    return html`${this.item('Copy link', () => this.copy(linkTo('', home, this.state)))}
+    return html`${this.item('Copy link', () => this.copyLink(home))}
     ${this.item('Copy embed code: HTML', () => this.embed(elementCode, home))}
     ${this.item('Copy embed code: Markdown, MDX', () => this.embed(markdownCode, home))}
     ${this.item('Copy embed code: frame', () => this.embed(frameCode, home))}`
@@ -124,7 +127,22 @@ class ShareMenu extends LitElement {
     if (!event.composedPath().includes(this)) this.close()
   }
 
+  private copyLink(home: string): void {
+    if (!this.isTooLong()) void this.copy(linkTo('', home, this.state))
+  }
+
+  /** Says so where a link would be longer than what can be read again. */
+  private isTooLong(): boolean {
+    const problem = whyNoLink(this.state)
+    if (problem) {
+      this.byHand = ''
+      this.status = `${problem} Copy it as JSON: dropped on a lab or pasted there, it brings all of this back.`
+    }
+    return problem !== ''
+  }
+
   private embed(code: typeof frameCode, home: string): void {
+    if (code === frameCode && this.isTooLong()) return
     if (isPublic()) return void this.copy(code(home, this.state))
     this.byHand = ''
     this.status = 'This page is a file on your computer. One on the web has code to embed it.'
@@ -158,10 +176,10 @@ class ShareMenu extends LitElement {
     }
   }
 
-  private readonly saveData = (): void => {
+  private saveData(style?: CsvStyle): void {
     const { runners, exact } = this.lab.simulated
     const name = fileName(this.state, 'csv')
-    const text = toCsv(runners, exact)
+    const text = toCsv(runners, exact, style)
     save(new Blob([text], { type: 'text/csv;charset=utf-8' }), name)
     this.byHand = isFramed ? text : ''
     this.status = isFramed
@@ -169,6 +187,14 @@ class ShareMenu extends LitElement {
       : `Saved as ${name}`
   }
 }
+
+/** What spreadsheets of the reader's language open: most of those with decimal commas take semicolons between cells. */
+const semicolons = (() => {
+  const parts = new Intl.NumberFormat().formatToParts(0.5)
+  const decimal = parts.find(({ type }) => type === 'decimal')!.value
+  const label = `Save data (CSV, semicolons${decimal === ',' ? ', decimal commas' : ''})`
+  return { separator: ';', decimal, label } as const
+})()
 
 /** A page in a frame can’t know whether it may save files: the sandbox refuses without a word to it. */
 const isFramed = typeof window === 'object' && window.parent !== window
@@ -181,16 +207,6 @@ function save(content: Blob, name: string): void {
   link.click()
   // Some browsers take the content a little later.
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000)
-}
-
-/** What is drawn on a canvas, pixel by pixel. */
-function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => {
-      if (blob) resolve(blob)
-      else reject(new Error('The browser could not make a picture of it.'))
-    }, 'image/png')
-  })
 }
 
 customElements.define('slide-share-menu', ShareMenu)

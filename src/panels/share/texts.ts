@@ -88,15 +88,27 @@ function escaped(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;')
 }
 
+/** How a table is written: what stands between its cells, and within its numbers. */
+export interface CsvStyle {
+  readonly separator: ',' | ';'
+  readonly decimal: string
+}
+
 /**
- * The trajectories of some runners as comma-separated values: a header with units, then a row for every frame of each
- * runner. Numbers are written in full, so that the same bits are read back.
+ * The trajectories of some runners as separated values: a header with units, then a row for every frame of each runner.
+ * Numbers are written in full, so that the same bits are read back.
  */
-export function toCsv(runners: readonly SimulatedRunner[], exact: ExactMotion): string {
-  const lines = [columns.map(([heading]) => quoted(heading)).join(',')]
+export function toCsv(
+  runners: readonly SimulatedRunner[],
+  exact: ExactMotion,
+  { separator, decimal }: CsvStyle = { separator: ',', decimal: '.' },
+): string {
+  const cell = (value: string | number) =>
+    typeof value === 'number' ? String(value).replace('.', decimal) : quoted(value)
+  const lines = [columns.map(([heading]) => quoted(heading)).join(separator)]
   for (const runner of runners)
     for (let row = 0; row <= runner.trajectory.frames; row++)
-      lines.push(columns.map(([, value]) => value(runner, row, exact)).join(','))
+      lines.push(columns.map(([, value]) => cell(value(runner, row, exact))).join(separator))
   // Line ends as RFC 4180 has them.
   return lines.join('\r\n') + '\r\n'
 }
@@ -104,7 +116,7 @@ export function toCsv(runners: readonly SimulatedRunner[], exact: ExactMotion): 
 type ColumnValue = (runner: SimulatedRunner, row: number, exact: ExactMotion) => string | number
 
 const columns: readonly (readonly [string, ColumnValue])[] = [
-  ['runner', ({ name }) => quoted(name)],
+  ['runner', ({ name }) => name],
   ['frame', (_, row) => row],
   ['time (s)', ({ trajectory }, row) => trajectory.time[row]!],
   ['state time (s)', ({ trajectory }, row) => trajectory.stateTime[row]!],
@@ -117,5 +129,5 @@ const columns: readonly (readonly [string, ColumnValue])[] = [
 ]
 
 function quoted(text: string): string {
-  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
+  return /[",;\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
 }

@@ -6,7 +6,8 @@ export const fps = {
   symbol: 'f',
   unit: 'fps',
   min: 1,
-  max: 1000,
+  // Ten times what the fastest displays show; a game without a cap draws some thousand frames a second.
+  max: 10000,
   slider: { from: 5, to: 240, step: 1 },
   initial: 60,
 } as const satisfies NumberOption

@@ -8,7 +8,7 @@ const durations = {
   unit: 's',
   min: 1e-5,
   max: 60,
-  maxLength: 10000,
+  maxLength: 100_000,
   initial: [1 / 60],
 } as const satisfies ListOption
 
@@ -20,17 +20,17 @@ export const recorded = {
   label: 'Recorded',
   about: 'Frame times that were measured on a real machine, repeated when they run out.',
   options,
-  // Whatever round is cut short may have its shortest frames first.
-  frames: ({ durations }: Values<typeof options>, duration: number) =>
-    (duration / total(durations) + 1) * durations.length,
+  frames: ({ durations }: Values<typeof options>, duration: number) => {
+    let time = 0
+    for (let i = 0; i < durations.length; i++) {
+      if (time >= duration) return i + 1
+      time += durations[i]!
+    }
+    // Whatever round is cut short may have its shortest frames first.
+    return (duration / time + 1) * durations.length
+  },
   start: ({ durations }: Values<typeof options>): Frames => new RecordedFrames(durations),
 } as const satisfies FrameClock
-
-function total(durations: readonly number[]): number {
-  const sum = new ExactSum()
-  for (const duration of durations) sum.add(duration)
-  return sum.value
-}
 
 class RecordedFrames implements Frames {
   duration = NaN

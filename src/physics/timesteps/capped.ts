@@ -1,17 +1,7 @@
 import { ExactSum } from '../exactSum.ts'
-import type { NumberOption, Values } from '../options.ts'
+import type { Values } from '../options.ts'
 import type { TimestepPolicy } from '../timestepPolicy.ts'
-
-const cap = {
-  type: 'number',
-  label: 'Cap',
-  symbol: 'cap',
-  unit: 's',
-  min: 1e-6,
-  max: 60,
-  slider: { from: 0.01, to: 0.5, step: 0.01 },
-  initial: 0.05,
-} as const satisfies NumberOption
+import { cap } from './options.ts'
 
 const options = { cap } as const
 

@@ -1,19 +1,14 @@
+import { ExactSum } from '../exactSum.ts'
 import type { ChoiceOption, NumberOption, Values } from '../options.ts'
-import { MOST_STEPS_A_FRAME, wholeSteps } from '../timestepPolicy.ts'
+import { wholeSteps } from '../timestepPolicy.ts'
 import type { TimestepPolicy } from '../timestepPolicy.ts'
-import { step } from './options.ts'
+import { cap as anyCap, maxSteps, step } from './options.ts'
 
-const maxSteps = {
-  type: 'number',
-  label: 'Most steps a frame',
-  symbol: 'n',
-  unit: '',
-  min: 1,
-  max: MOST_STEPS_A_FRAME,
+const cap = {
+  ...anyCap,
+  // As good as none: only a game that hands in a longer frame would meet it, and there it does not hold.
+  initial: anyCap.max,
   atMax: 'no limit',
-  integer: true,
-  slider: { from: 1, to: 60, step: 1 },
-  initial: MOST_STEPS_A_FRAME,
   optional: true,
 } as const satisfies NumberOption
 
@@ -25,7 +20,7 @@ const draw = {
   optional: true,
 } as const satisfies ChoiceOption
 
-const options = { step, maxSteps, draw } as const
+const options = { step, maxSteps, cap, draw } as const
 
 /** Steps of one length; an accumulator carries what is left of a frame over to the next (Fiedler, 2004). */
 export const fixed = {
@@ -35,18 +30,23 @@ export const fixed = {
     'Physics takes steps of one length whatever the frames do, and the picture is drawn between two of them.',
   options,
   losesTime: false,
-  steps: ({ step, maxSteps }: Values<typeof options>, duration: number, frames: number) =>
-    Math.min(duration / step, maxSteps * frames),
-  start: ({ step, maxSteps, draw }: Values<typeof options>) => {
+  steps: ({ step, maxSteps, cap }: Values<typeof options>, duration: number, frames: number) =>
+    Math.min(Math.min(duration, longest(cap) * frames) / step, maxSteps * frames),
+  start: ({ step, maxSteps, cap, draw }: Values<typeof options>) => {
+    const longestFrame = longest(cap)
     // #region advance
     let taken = 0
     let dropped = 0
+    // What frames exceed the cap by.
+    const excess = new ExactSum()
     // A field, since engines box a number that a closure keeps changing.
     const before = { s: NaN }
     return (frame) => {
       const { motion } = frame
+      if (frame.frameDuration > longestFrame) excess.add(frame.frameDuration - longestFrame)
+      const time = frame.time - excess.value
       // The accumulator is the time by which the wall clock is ahead of the physics: counted, not added up.
-      const due = wholeSteps(frame.time, step) - dropped - taken
+      const due = wholeSteps(time, step) - dropped - taken
       const count = Math.min(due, maxSteps)
       dropped += due - count
       if (count > 0) {
@@ -58,8 +58,8 @@ export const fixed = {
         taken += count
         frame.stateTime = taken * step
       }
-      frame.lostTime = dropped * step
-      const accumulator = Math.max(0, frame.time - (taken + dropped) * step)
+      frame.lostTime = dropped * step + excess.value
+      const accumulator = Math.max(0, time - (taken + dropped) * step)
       if (draw === 'extrapolated') frame.drawnS = motion.s + motion.v * accumulator
       if (draw === 'interpolated' && taken > 0)
         frame.drawnS = before.s + (motion.s - before.s) * (accumulator / step)
@@ -67,3 +67,8 @@ export const fixed = {
     // #endregion
   },
 } as const satisfies TimestepPolicy
+
+/** The longest frame that is not cut [s]. */
+function longest(cap: number): number {
+  return cap < anyCap.max ? cap : Number.MAX_VALUE
+}

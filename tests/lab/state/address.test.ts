@@ -93,7 +93,7 @@ describe('a bad address', () => {
     ['duration=', 'duration: "" is not a number'],
     ['runners=', 'runners[0]: ""'],
     ['runners=10;rk5', 'runners[1]: "rk5" is neither a frame rate nor one of steady'],
-    ['runners=0', 'runners[0].frames.fps: 0 is not in 1…1000'],
+    ['runners=0', 'runners[0].frames.fps: 0 is not in 1…10000'],
     ['runners=jitter(fps:30)', 'runners[0].frames.amount'],
     ['runners=10/fixed(step:0)', 'runners[0].timestep.step: 0 is not in'],
     ['runners=10/fixed(stepp:1)', 'runners[0].timestep.stepp: is not known here'],
@@ -136,7 +136,7 @@ function* methods(): Generator<Partial<RunnerState>> {
   for (const { id } of timesteps) yield { timestep: choose('timestep', id, timestep) }
   for (const { id } of frameClocks) yield { frames: choose('frames', id, frames) }
   yield { frames: { kind: 'recorded', durations: [1 / 60, 0.02, 1 / 3, 1e-5] } }
-  yield { timestep: { kind: 'fixed', step: 1 / 77, maxSteps: 4, draw: 'latest' } }
+  yield { timestep: { kind: 'fixed', step: 1 / 77, maxSteps: 4, cap: 0.1, draw: 'latest' } }
 }
 
 function randomState(random: () => number): LabState {

@@ -79,7 +79,7 @@ describe('what can’t be run is refused, and says why', () => {
     [{ kind: 'duration', duration: -1 }, 'duration: -1 is not in'],
     [
       { kind: 'option', index: 1, of: 'frames', key: 'fps', value: 0 },
-      'runners[1].frames.fps: 0 is not in 1…1000',
+      'runners[1].frames.fps: 0 is not in 1…10000',
     ],
     [{ kind: 'remove', index: 0 }, undefined],
   ] as const)('%j', (change, message) => {
@@ -124,8 +124,15 @@ describe('runners', () => {
       if ('seed' in chosen) expect(chosen.seed).toBe(7)
     }
     for (const { id } of timesteps) {
-      const chosen = choose('timestep', id, { kind: 'substeps', step: 0.02 })
+      const chosen = choose('timestep', id, { kind: 'substeps', step: 0.02, maxSteps: 3 })
       if ('step' in chosen) expect(chosen.step).toBe(0.02)
+      if ('maxSteps' in chosen) expect(chosen.maxSteps).toBe(3)
     }
+  })
+
+  test('a bound that was none is not carried over to a policy that needs one', () => {
+    const uncapped = choose('timestep', 'fixed', { kind: 'variable' })
+    expect(uncapped).toMatchObject({ cap: 60 })
+    expect(choose('timestep', 'capped', uncapped)).toEqual({ kind: 'capped', cap: 0.05 })
   })
 })

@@ -70,6 +70,11 @@ describe('how a frame becomes steps', () => {
       '0.1 s → 4 equal parts of 0.025 s, none longer than 0.03 s.',
     ],
     [
+      { kind: 'substeps', step: 0.03, maxSteps: 2 },
+      3,
+      '0.06 s → 2 equal parts of 0.03 s, none longer than 0.03 s. The other 0.04 s of the frame is lost.',
+    ],
+    [
       { kind: 'fixed', step: 1 / 60 },
       3,
       '0 s in the accumulator + 0.1 s → 6 fixed steps of 0.016667 s, 0 s left in the accumulator.',
@@ -83,6 +88,11 @@ describe('how a frame becomes steps', () => {
       { kind: 'fixed', step: 0.02, maxSteps: 3 },
       3,
       '0 s in the accumulator + 0.1 s → 3 fixed steps of 0.02 s, 0 s left in the accumulator. 2 steps more would have been due: 0.04 s is lost.',
+    ],
+    [
+      { kind: 'fixed', step: 0.02, cap: 0.07 },
+      2,
+      '0.01 s in the accumulator + 0.07 s → 4 fixed steps of 0.02 s, 0 s left in the accumulator. The frame exceeds the cap: 0.03 s is lost.',
     ],
     // At rest: nothing was stepped, and still the accumulator goes on.
     [

@@ -78,10 +78,17 @@ describe('a runner of the lab', () => {
   test.each<[string, Partial<RunnerState>, string]>([
     [
       'a fixed step on an unsteady clock',
-      { frames: jitter, timestep: { kind: 'fixed', step: 1 / 60, maxSteps: 1e4, draw: 'latest' } },
+      {
+        frames: jitter,
+        timestep: { kind: 'fixed', step: 1 / 60, maxSteps: 1e4, cap: 60, draw: 'latest' },
+      },
       '',
     ],
-    ['parts of steady frames', { timestep: { kind: 'substeps', step: 1 / 100 } }, ''],
+    [
+      'parts of steady frames',
+      { timestep: { kind: 'substeps', step: 1 / 100, maxSteps: 100_000 } },
+      '',
+    ],
     ['a cap that no frame reaches', { timestep: { kind: 'capped', cap: 0.1 } }, ''],
     [
       'a step for each frame that is the frame’s',
@@ -101,7 +108,7 @@ describe('a runner of the lab', () => {
     ],
     [
       'a fixed step that can’t keep up',
-      { timestep: { kind: 'fixed', step: 1 / 60, maxSteps: 1, draw: 'latest' } },
+      { timestep: { kind: 'fixed', step: 1 / 60, maxSteps: 1, cap: 60, draw: 'latest' } },
       'its seconds are not real seconds',
     ],
   ])('with %s', (_, values, expected) => {

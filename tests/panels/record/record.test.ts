@@ -1,9 +1,9 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { readAddress, writeAddress } from '../../../src/lab/state/address.ts'
+import { isReadable, readAddress, whyNoLink, writeAddress } from '../../../src/lab/state/address.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { binsOf } from '../../../src/panels/record/histogram.ts'
-import { readDurations, writeDurations } from '../../../src/lab/state/durationCode.ts'
+import { readDurations, writeDurations, writeRounded } from '../../../src/lab/state/durationCode.ts'
 import { durationsOf, summarize } from '../../../src/lab/state/frameTimes.ts'
 import { record } from '../../../src/panels/record/recording.ts'
 import { changed } from '../../../src/lab/state/change.ts'
@@ -83,24 +83,64 @@ describe('frame times as text', () => {
     expect(writeDurations(durationsOf(timestamps))!.length).toBeLessThan(310)
   })
 
-  test('are none where they are not whole tenths of a millisecond', () => {
-    for (const durations of [
-      [1 / 60],
-      [0.01671],
-      [0.0167, 0.00001],
-      [0],
-      [-0.1],
-      [NaN],
-      [Infinity],
-      [],
-    ])
+  test('come back as they were where they are whole microseconds', () => {
+    const list = fc.array(
+      fc.oneof(fc.integer({ min: 16_000, max: 17_300 }), fc.integer({ min: 10, max: 60_000_000 })),
+      { minLength: 1, maxLength: 200 },
+    )
+    fc.assert(
+      fc.property(list, (microseconds) => {
+        const durations = microseconds.map((each) => each / 1e6)
+        const text = writeDurations(durations)!
+        expect(readDurations(text)).toEqual(durations)
+        expect(encodeURIComponent(text)).toBe(text)
+        expect(readDurations(writeRounded(durations))).toEqual(durations)
+      }),
+    )
+    expect(writeDurations([0.016671, 0.016671, 0.01669])).toBe('~-xgBAAmB')
+  })
+
+  test('are rounded so that they add up to what passed', () => {
+    const exact = Array.from({ length: 6000 }, () => 1 / 60)
+    const rounded = readDurations(writeRounded(exact))!
+    for (const each of rounded) expect([0.016666, 0.016667]).toContain(each)
+    expect(rounded.reduce((sum, each) => sum + each, 0)).toBeCloseTo(100, 6)
+    // As short as the clock allows, and no shorter.
+    expect(readDurations(writeRounded([1e-5, 1e-5]))).toEqual([1e-5, 1e-5])
+  })
+
+  test('take three characters a frame or fewer where they vary by half a millisecond', () => {
+    const durations = Array.from(
+      { length: 10_000 },
+      (_, i) => (16_667 + ((i * 7919) % 1021) - 510) / 1e6,
+    )
+    expect(writeDurations(durations)!.length).toBeLessThan(2 * 10_000 + 10)
+  })
+
+  test('are none where they are not whole microseconds', () => {
+    for (const durations of [[1 / 60], [0.0167101], [0], [-0.1], [NaN], [Infinity], []])
       expect(writeDurations(durations)).toBeUndefined()
-    for (const text of ['0.016+0.033', '0.02', '1e-5', '', '4n', '4n-', '4n-M3', '-m', '4n-3'])
+    for (const text of [
+      '0.016+0.033',
+      '0.02',
+      '1e-5',
+      '',
+      '4n',
+      '4n-',
+      '4n-M3',
+      '-m',
+      '4n-3',
+      '~',
+      '~A',
+      '~-hg',
+      '~A B',
+      '~Ah',
+    ])
       expect(readDurations(text)).toBeUndefined()
   })
 
   test('that ask for far too many are cut, and refused', () => {
-    expect(readDurations('4n-m999999999m999999999')).toHaveLength(100_000)
+    expect(readDurations('4n-m999999999m999999999')).toHaveLength(200_000)
     expect(() => readAddress('runners=recorded(durations:4n-m999999999)')).toThrow(/durations/)
     expect(() => readAddress('runners=recorded(durations:1-a)')).toThrow(/durations/)
   })
@@ -117,6 +157,37 @@ describe('frame times as text', () => {
       values: { frames: { kind: 'recorded', durations: [1 / 60, 0.02] } },
     })
     expect(readAddress(writeAddress(short))).toEqual(short)
+  })
+})
+
+describe('a long list in an address', () => {
+  const recorded = (durations: readonly number[]) =>
+    changed(opening, { kind: 'add', frames: { kind: 'recorded', durations } })
+  /** As a game that draws at 144 Hz or so, in whole microseconds. */
+  const log = (length: number) =>
+    Array.from({ length }, (_, i) => (6944 + ((i * 7919) % 1009) - 504) / 1e6)
+
+  test('comes back as it was while the address can be read, and there is no link beyond that', () => {
+    for (const length of [101, 20_000]) {
+      const state = recorded(log(length))
+      expect(whyNoLink(state)).toBe('')
+      expect(readAddress(writeAddress(state))).toEqual(state)
+    }
+    const state = recorded(log(100_000))
+    expect(isReadable(writeAddress(state))).toBe(false)
+    expect(whyNoLink(state)).toMatch(
+      /^Too many recorded frames for a link: it would have \d{3}.\d{3} /,
+    )
+    expect(() => readAddress(writeAddress(state))).toThrow(/more than the 50000 that are read/)
+  })
+
+  test('of times that are no whole microseconds is rounded, and then stays as it is', () => {
+    const state = recorded(Array.from({ length: 5000 }, () => 1 / 60))
+    const back = readAddress(writeAddress(state))
+    expect(readAddress(writeAddress(back))).toEqual(back)
+    const { frames } = back.runners.at(-1)!
+    if (frames.kind !== 'recorded') return expect.unreachable()
+    for (const each of frames.durations) expect(Math.abs(each - 1 / 60)).toBeLessThan(1e-6)
   })
 })
 

@@ -41,4 +41,17 @@ describe('a saved table', () => {
     const named = { ...visible[0]!, name: '10 fps, "fixed"' }
     expect(toCsv([named], exact).split('\r\n')[1]).toMatch(/^"10 fps, ""fixed""",0,/)
   })
+
+  it('may have semicolons and decimal commas, and means the same', () => {
+    const text = toCsv(visible, exact, { separator: ';', decimal: ',' }).trimEnd().split('\r\n')
+    expect(text[0]).toBe(header!.join(';'))
+    expect(text).toHaveLength(lines.length)
+    text.slice(1).forEach((line, i) => {
+      const cells = line.split(';').map((cell) => cell.replace(',', '.'))
+      expect(cells).toEqual(rows[i])
+    })
+    const named = { ...visible[0]!, name: '10 fps; fixed' }
+    const style = { separator: ';', decimal: '.' } as const
+    expect(toCsv([named], exact, style).split('\r\n')[1]).toMatch(/^"10 fps; fixed";0;0;/)
+  })
 })

@@ -19,6 +19,9 @@ const lossy: [Timestep, FramesChoice][] = [
     { kind: 'steady', fps: 10 },
   ],
   [{ kind: 'fixed', step: 1 / 50, maxSteps: 3 }, hitches],
+  [{ kind: 'fixed', step: 1 / 50, cap: 0.11 }, hitches],
+  [{ kind: 'fixed', step: 1 / 50, cap: 0.11, maxSteps: 3 }, hitches],
+  [{ kind: 'substeps', step: 1 / 60, maxSteps: 6 }, hitches],
   [{ kind: 'capped', cap: 0.05 }, hitches],
 ]
 

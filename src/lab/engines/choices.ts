@@ -1,0 +1,53 @@
+import { preset } from '../presets/preset.ts'
+import type { Preset } from '../presets/preset.ts'
+import { checked } from '../state/check.ts'
+import type { LabState, RunnerState } from '../state/state.ts'
+import { bevy } from './bevy.ts'
+import { gameMaker } from './gameMaker.ts'
+import { godot } from './godot.ts'
+import { engines } from './index.ts'
+import { phaser } from './phaser.ts'
+import { unityFixedUpdate } from './unityFixedUpdate.ts'
+import { unreal } from './unreal.ts'
+
+/** What the menu of engines offers. */
+export interface EngineChoice {
+  readonly label: string
+  /** The lab as it is, with the choice made of its runners; `frames` are those of the runner that is looked at. */
+  readonly presetOf: (state: LabState, frames: RunnerState['frames']) => Preset
+}
+
+const GROUP = 'Your engine'
+
+/** As different as engines are, six of them. */
+const compared = [unityFixedUpdate, godot, unreal, bevy, phaser, gameMaker]
+
+const comparison: EngineChoice = {
+  label: 'Compare engines',
+  presetOf: (state, frames) =>
+    preset(
+      GROUP,
+      comparison.label,
+      `Six engines at their defaults, all on the same frames. From the first runner on: ${compared.map(({ label }) => label).join('; ')}. Choose one of them in the menu to read what it does, and what is left out here.`,
+      () =>
+        checked({
+          ...state,
+          runners: compared.map(({ method }, paletteIndex) => ({
+            ...method,
+            ...{ frames, paletteIndex, hidden: false },
+          })),
+        }),
+    ),
+}
+
+/** The comparison, and each engine: it moves all runners, which keep their frames. */
+export const engineChoices: readonly EngineChoice[] = [
+  comparison,
+  ...engines.map(({ label, method, does, leavesOut, source }) => ({
+    label,
+    presetOf: (state: LabState) =>
+      preset(GROUP, label, `${does} ${leavesOut} Source: ${source}.`, () =>
+        checked({ ...state, runners: state.runners.map((each) => ({ ...each, ...method })) }),
+      ),
+  })),
+]

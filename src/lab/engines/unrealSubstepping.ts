@@ -1,0 +1,14 @@
+import type { Engine } from './engine.ts'
+
+export const unrealSubstepping: Engine = {
+  id: 'unreal-substepping',
+  label: 'Unreal 5, substepping on',
+  method: {
+    timestep: { kind: 'substeps', step: 1 / 60, maxSteps: 6 },
+    integrator: 'semi-implicit-euler',
+    stopping: 'clamped',
+  },
+  does: 'Cuts a frame into equal parts of at most 1/60 s (Max Substep Delta Time), at most 6 (Max Substeps); of longer frames the rest is dropped.',
+  leavesOut: 'Left out: linear damping of 0.01/s.',
+  source: 'Unreal 5 as read in November 2026, PhysicsSettings.cpp and ChaosScene.cpp',
+}
