@@ -37,7 +37,7 @@ describe('the sections', () => {
 
   it.each(sections.slice(0, 10))('$name has a figure and the code it is about', ({ markdown }) => {
     expect(markdown).toMatch(/^```figure [\w-]+$/m)
-    // Section 8 chooses for the reader's own game, and shows its test.
+    // Section 9 chooses for the reader's own game, and shows its test.
     expect(markdown).toMatch(/^```(source src\/\S+#\w+|js)$/m)
   })
 })
