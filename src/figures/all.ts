@@ -10,6 +10,8 @@ import { threeStops } from './threeStops.ts'
 import { framesAndTicks } from './framesAndTicks.ts'
 import { hitch } from './hitch.ts'
 import { yourFrames } from './yourFrames.ts'
+import { coasting } from './coasting.ts'
+import { following } from './following.ts'
 import { halfPipeEnergy } from './halfPipeEnergy.ts'
 import { springLimit } from './springLimit.ts'
 import { flungOut } from './flungOut.ts'
@@ -33,6 +35,8 @@ export const all: readonly Figure[] = [
   framesAndTicks,
   hitch,
   yourFrames,
+  coasting,
+  following,
   halfPipeEnergy,
   springLimit,
   flungOut,

@@ -20,6 +20,8 @@ export const figures: readonly FigureEntry[] = [
   'frames-and-ticks',
   'hitch',
   'your-frames',
+  'coasting',
+  'following',
   'half-pipe-energy',
   'spring-limit',
   'flung-out',

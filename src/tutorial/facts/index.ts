@@ -1,3 +1,4 @@
+import { damping } from './damping.ts'
 import { energy } from './energy.ts'
 import type { Fact } from './fact.ts'
 import { forcesOnASlope } from './forcesOnASlope.ts'
@@ -17,6 +18,7 @@ const all = {
   ...toPosition,
   ...stopping,
   ...realFrames,
+  ...damping,
   ...energy,
   ...tolerance,
   ...whatToUse,
