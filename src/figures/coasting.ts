@@ -3,6 +3,7 @@ import { drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import { fixed, metres } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
+import { drawRateNames } from './shared/rateNames.ts'
 
 const DURATION = 1.5
 const START = 5
@@ -47,7 +48,7 @@ export const coasting = figure({
 })
 
 /** Its position after every frame [m]. */
-export function pathOf({ damping, k }: CoastValues, fps: number): readonly number[] {
+function pathOf({ damping, k }: CoastValues, fps: number): readonly number[] {
   const left = dampings.find(({ id }) => id === damping)!.factor(k, 1 / fps)
   let v = START
   let x = 0
@@ -78,4 +79,5 @@ function draw(surface: DrawingSurface, { values }: View<CoastValues>): void {
     y: graph.y(truth(i / 100)),
   }))
   drawCurve(context, exact, { colour: palette.ink, width: 1.5, dash: [6, 4] })
+  drawRateNames(surface, box, rates)
 }

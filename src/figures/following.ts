@@ -3,6 +3,7 @@ import { drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import { fixed } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
 import type { DrawingSurface, View } from './shared/figure.ts'
+import { drawRateNames } from './shared/rateNames.ts'
 
 const DURATION = 1
 const rates = [30, 60, 120] as const
@@ -50,7 +51,7 @@ export const following = figure({
 })
 
 /** Where the camera is after every frame [m]. */
-export function cameraPath({ rule, part }: FollowValues, fps: number): readonly number[] {
+function cameraPath({ rule, part }: FollowValues, fps: number): readonly number[] {
   const k = decayRate(1 - part, 60)
   const path = [0]
   for (let frame = 0; frame < DURATION * fps; frame++) {
@@ -74,4 +75,5 @@ function draw(surface: DrawingSurface, { values }: View<FollowValues>): void {
     }))
     drawCurve(context, points, { colour: palette.runners[i]!.fill, width: 2 })
   })
+  drawRateNames(surface, box, rates)
 }

@@ -114,8 +114,8 @@ describe('README', () => {
     expect(engines).toHaveLength(4)
     expect(readme).toContain('four physics engines')
     const sections = readdirSync(join(root, 'src/tutorial/text')).filter((name) => /^\d/.test(name))
-    expect(sections).toHaveLength(10)
-    expect(readme).toContain('Ten short sections')
+    expect(sections).toHaveLength(11)
+    expect(readme).toContain('Eleven short sections')
     expect(modes).toHaveLength(6)
     const [first, last] = [modes[0]!.label, modes.at(-1)!.label]
     expect(readme.replace(/\s+/g, ' ')).toContain(`Six buttons lead from _${first}_ to _${last}_`)

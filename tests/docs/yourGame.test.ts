@@ -76,7 +76,7 @@ describe.each(Object.entries(runners))('the test with %s', (name, args) => {
 })
 
 test('the tutorial ends its section with the test of the text', () => {
-  const section = readFileSync(join(root, 'src/tutorial/text/08-what-should-i-use.md'), 'utf8')
+  const section = readFileSync(join(root, 'src/tutorial/text/09-what-should-i-use.md'), 'utf8')
   const [, shown] = [...section.matchAll(/```js\n([^]*?)```/g)].at(-1)!
   expect(shown).toBe(files.get('player.vitest.test.js'))
 })

@@ -70,7 +70,7 @@ describe('attributes', () => {
   })
 
   it('take a timestep with its options', () => {
-    const timestep = { kind: 'substeps', step: 0.01 }
+    const timestep = { kind: 'substeps', step: 0.01, maxSteps: 7 }
     for (const given of [timestep, JSON.stringify(timestep)])
       expect(stateAsked({ timestep: given }).runners[0]!.timestep).toEqual(timestep)
   })
