@@ -2,6 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { dirname, join, normalize } from 'node:path'
 import { describe, expect, test } from 'vitest'
 import { modes } from '../../src/lab/state/modes.ts'
+import { hardCases } from '../../src/measure/index.ts'
 import { engines } from '../../src/report/engines/index.ts'
 import { root } from './extending.ts'
 
@@ -154,6 +155,11 @@ describe('docs/architecture.md', () => {
     expect(words.length).toBeLessThanOrEqual(20)
     expect(new Set(words).size).toBe(words.length)
   })
+})
+
+test('docs/promises.md counts the hard cases', () => {
+  const groups = new Set(hardCases.map(({ group }) => group)).size
+  expect(read('docs/promises.md')).toContain(`${hardCases.length} hard cases in ${groups} groups`)
 })
 
 test('docs/promises.md names for each promise what holds it, and the command', () => {
