@@ -123,7 +123,7 @@ describe('a runner', () => {
     await step.fill('1e-5')
     await step.press('Enter')
     expect(await page.getByRole('alert').innerText()).toContain('steps, more than')
-    expect((await state()).runners[0]!.timestep).toEqual({ kind: 'substeps', step: 1 / 60 })
+    expect((await state()).runners[0]!.timestep).toMatchObject({ kind: 'substeps', step: 1 / 60 })
   })
 })
 

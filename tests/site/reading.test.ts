@@ -21,7 +21,7 @@ describe('the text', () => {
     })
     expect({ dead, twice }).toEqual({ dead: [], twice: [] })
     expect(links).toBeGreaterThan(50)
-    expect(titles).toBe(12)
+    expect(titles).toBe(13)
     expect(problems).toEqual([])
   })
 
