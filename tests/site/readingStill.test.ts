@@ -4,7 +4,7 @@ import { openPage } from './page.ts'
 describe('without JavaScript', () => {
   test.each([1280, 320])('text, equations and stills are there at %d px', async (width) => {
     const { page, problems } = await openPage({ javaScriptEnabled: false, width })
-    expect(await page.locator('.text > section').count()).toBe(12)
+    expect(await page.locator('.text > section').count()).toBe(13)
     const equation = page.locator('.equation math').first()
     expect((await equation.boundingBox())!.height).toBeGreaterThan(10)
     const figures = page.locator('slide-figure')
