@@ -119,7 +119,7 @@ describe('a runner', () => {
     await field('Duration').fill('1000')
     await field('Duration').press('Enter')
     await runner(0).getByLabel('Time step, ').selectOption('substeps')
-    const step = runner(0).getByRole('textbox', { name: 'Step' })
+    const step = runner(0).getByRole('textbox', { name: /^Step/ })
     await step.fill('1e-5')
     await step.press('Enter')
     expect(await page.getByRole('alert').innerText()).toContain('steps, more than')
