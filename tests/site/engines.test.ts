@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { engines } from '../../src/lab/engines/index.ts'
+import { engines } from '../../src/engines/index.ts'
 import { openLab } from './labPage.ts'
 
 test('the menu of engines sets the runners, says what was left out, and is undone', async () => {

@@ -118,6 +118,7 @@ describe('what the text says of them', () => {
     expect(values.hitchLost()).toBeCloseTo(0.25 - 0.05, 12)
     expect(values.fixedSpread()).toBe(0)
     expect(values.fixedShort()).toBeGreaterThan(0.01)
+    expect(values.engineApart()).toBeGreaterThan(0.05)
   })
 
   it('7: the symplectic methods keep the energy in a band, Runge–Kutta loses, jitter widens the band', () => {

@@ -1,10 +1,13 @@
 /** Each engine's preset against the loop of that engine, written here on its own: frames in, steps out. */
 import { describe, expect, it, test } from 'vitest'
-import { createRun } from '../../../src/physics/index.ts'
-import { engineChoices } from '../../../src/lab/engines/choices.ts'
-import { engines } from '../../../src/lab/engines/index.ts'
-import { readAddress, writeAddress } from '../../../src/lab/state/address.ts'
-import { opening } from '../../../src/lab/state/opening.ts'
+import { lostBy, yourEngine } from '../../src/figures/yourEngine.ts'
+import { readValues } from '../../src/figures/shared/control.ts'
+import { spreadOf, trajectoryErrors } from '../../src/measure/index.ts'
+import { createRun, simulate } from '../../src/physics/index.ts'
+import { engineChoices } from '../../src/lab/presets/engines.ts'
+import { engines } from '../../src/engines/index.ts'
+import { readAddress, writeAddress } from '../../src/lab/state/address.ts'
+import { opening } from '../../src/lab/state/opening.ts'
 
 /** Times are whole units, of which all steps and caps below are multiples: no loop rounds. */
 const UNIT = 1 / 48_000
@@ -31,17 +34,22 @@ const upTo =
   (cap: number): Loop =>
   (frame) => [Math.min(frame, cap)]
 
+/** Cuts a frame into equal parts, and forgets what is more than `most` of the longest. */
+const parts =
+  (longest: number, most: number): Loop =>
+  (frame) => {
+    const time = Math.min(frame, most * longest)
+    const count = Math.ceil(time / longest)
+    return Array.from({ length: count }, () => time / count)
+  }
+
 /** Each begins anew, with nothing owed. */
 const loops: Readonly<Record<string, () => Loop>> = {
   'unity-fixed-update': () => accumulator(960, 16_000),
   'unity-update': () => upTo(16_000),
   godot: () => accumulator(800, Infinity, 8),
   unreal: () => upTo(1600),
-  'unreal-substepping': () => (frame) => {
-    const time = Math.min(frame, 6 * 800)
-    const count = Math.ceil(time / 800)
-    return Array.from({ length: count }, () => time / count)
-  },
+  'unreal-substepping': () => parts(800, 6),
   bevy: () => accumulator(750, 12_000),
   phaser: () => accumulator(800, 9600),
   matter: () => accumulator(800, 3200, 2),
@@ -57,21 +65,49 @@ const loops: Readonly<Record<string, () => Loop>> = {
   source: () => accumulator(720),
   quake: () => upTo(4800),
   // Its parts are as long as they may be, and the last one is the rest: as many as equal ones.
-  'quake-3': () => (frame) => {
-    const count = Math.ceil(frame / 3168)
-    return Array.from({ length: count }, () => frame / count)
-  },
+  'quake-3': () => parts(3168, Infinity),
+}
+
+/** The loops after the change that each engine's advice asks for. */
+const saferLoops: Readonly<Record<string, () => Loop>> = {
+  ...Object.fromEntries(
+    ['matter', 'planck', 'box2d', 'rapier', 'game-maker', 'love', 'pygame', 'quake'].map((id) => [
+      id,
+      () => accumulator(800, Infinity, 60),
+    ]),
+  ),
+  'unity-fixed-update': () => accumulator(480, 48_000),
+  'unity-update': () => accumulator(960, 16_000),
+  godot: () => accumulator(400, Infinity, 120),
+  unreal: () => parts(800, 16),
+  'unreal-substepping': () => parts(400, 16),
+  bevy: () => accumulator(375, 48_000),
+  phaser: () => accumulator(400, 48_000),
+  'pico-8': () => accumulator(1600, Infinity, 30),
+  'mono-game': () => accumulator(400, 48_000),
+  libgdx: () => accumulator(400, 48_000),
+  source: () => accumulator(720),
+  'quake-3': () => accumulator(384),
 }
 
 const SPEED = 20
 const FRICTION = 0.25 * 9.81
 
-describe.each(engines)('$label', ({ id, method }) => {
+const settings = engines.flatMap(({ id, label, method, safer }) => [
+  { label, method, loop: loops[id]! },
+  {
+    label: `${label}, on the safe side`,
+    method: { ...method, timestep: safer.timestep },
+    loop: saferLoops[id]!,
+  },
+])
+
+describe.each(settings)('$label', ({ method, loop: begin }) => {
   it.each([
     ['frames of up to a fifth of a second', FRAMES],
     ['long frames', LONG],
   ])('takes the steps of its loop, and moves as its formula says: %s', (_, frames) => {
-    const loop = loops[id]!()
+    const loop = begin()
     const run = createRun({
       scene: 'ramp',
       parameters: { angle: 0, muStatic: 0.25, muKinetic: 0.25, gravity: 9.81, speed: SPEED },
@@ -116,6 +152,48 @@ test('each engine has a loop here, and says what it does, what is left out and w
     expect(leavesOut, label).toMatch(/^Left out: .{20,}\.$/)
     expect(source, label).toMatch(/\d/)
   }
+})
+
+describe.each(engines)('the change on $label', ({ id, method, safer }) => {
+  const clocks = ['steady', 'jitter', 'missed-vsync', 'hitch'] as const
+  const played = [5, 20, 50].flatMap((fps) =>
+    clocks.map((clock) => {
+      const outcome = (settings: string) => {
+        const values = readValues(yourEngine.controls, { engine: id, settings, clock, fps })
+        const runs = yourEngine.experiments(values).map(simulate)
+        const off = runs.map((run) => Math.abs(trajectoryErrors(run).atEnd))
+        const lost = runs.map((run) => Math.abs(lostBy(run)))
+        return [spreadOf(runs).distance, Math.max(...off), Math.max(...lost)]
+      }
+      return { before: outcome('default'), after: outcome('safer') }
+    }),
+  )
+
+  it('brings players no further apart, off or behind, and on some frames helps', () => {
+    for (const { before, after } of played)
+      before.forEach((each, i) => expect(after[i]).toBeLessThan(each + 1e-12))
+    const helps = played.some(({ before, after }) =>
+      before.some((each, i) => after[i]! < 0.9 * each - 1e-9),
+    )
+    expect(helps).toBe(id !== 'source')
+    if (id === 'source') expect(safer.timestep).toEqual(method.timestep)
+  })
+
+  it('leaves no spread where its steps are fixed, and loses no time where it says so', () => {
+    const isFixed = safer.timestep.kind === 'fixed'
+    const upTo = /Frames of up to (\S+) (?:s|second) ?(?:s )?then lose nothing/.exec(safer.how)?.[1]
+    for (const { after } of played) {
+      if (isFixed && id !== 'unity-update') expect(after[0]).toBe(0)
+      if (upTo === 'a') expect(after[2]).toBe(0)
+    }
+    const longest = { a: 1, '0.27': 16 / 60, '0.13': 16 / 120 }[upTo ?? '']
+    if (!longest) return
+    const run = createRun({ scene: 'ramp', ...method, timestep: safer.timestep })
+    run.frame(0.999 * longest)
+    expect(run.lostTime).toBe(0)
+    run.frame(1.02 * longest)
+    expect(run.lostTime).toBeGreaterThan(0)
+  })
 })
 
 describe('the menu of engines', () => {

@@ -1,14 +1,14 @@
-import { preset } from '../presets/preset.ts'
-import type { Preset } from '../presets/preset.ts'
+import { preset } from './preset.ts'
+import type { Preset } from './preset.ts'
 import { checked } from '../state/check.ts'
 import type { LabState, RunnerState } from '../state/state.ts'
-import { bevy } from './bevy.ts'
-import { gameMaker } from './gameMaker.ts'
-import { godot } from './godot.ts'
-import { engines } from './index.ts'
-import { phaser } from './phaser.ts'
-import { unityFixedUpdate } from './unityFixedUpdate.ts'
-import { unreal } from './unreal.ts'
+import { bevy } from '../../engines/bevy.ts'
+import { gameMaker } from '../../engines/gameMaker.ts'
+import { godot } from '../../engines/godot.ts'
+import { engines } from '../../engines/index.ts'
+import { phaser } from '../../engines/phaser.ts'
+import { unityFixedUpdate } from '../../engines/unityFixedUpdate.ts'
+import { unreal } from '../../engines/unreal.ts'
 
 /** What the menu of engines offers. */
 export interface EngineChoice {
