@@ -1,4 +1,4 @@
-import { exact } from '../physics/index.ts'
+import { exact as exactAt } from '../physics/index.ts'
 import type { Experiment, FramesChoice, Trajectory } from '../physics/index.ts'
 import { spreadOf } from '../measure/index.ts'
 import { engines } from '../engines/index.ts'
@@ -85,16 +85,17 @@ export const yourEngine = figure({
     },
   ],
   says: (values, runs) => {
-    const spread = spreadText(spreadOf(runs), lengthText).value
+    const { exact, value } = spreadText(spreadOf(runs), lengthText)
+    const ends = exact ? 'in one place' : `${value} apart`
     const lost = Math.max(...runs.map(lostBy))
     const late = lost > 0 ? ` The slowest game loses ${seconds(lost)}.` : ''
     const settings = values.settings === 'safer' ? 'Changed' : 'As it comes'
-    return `${settings}: the players’ blocks end ${spread} apart.${late}`
+    return `${settings}: the players’ blocks end ${ends}.${late}`
   },
   readings: (values, runs) =>
     runs.flatMap((run, i): Reading[] => {
       const rate = `${ratesOf(values)[i]!} fps`
-      const off = Math.abs(run.drawnS[run.frames]! - exact(run.experiment, DURATION).s)
+      const off = Math.abs(run.drawnS[run.frames]! - exactAt(run.experiment, DURATION).s)
       const lost = lostBy(run)
       return [
         { label: `${rate}: off by`, text: roughly(off), raw: off },
@@ -133,5 +134,6 @@ function lostText(lost: number): string {
 }
 
 function adviceOn({ does, safer, source }: Engine): string {
-  return `${does} On the safe side: ${safer.how} Source: ${source}.`
+  const how = safer.how.charAt(0).toLowerCase() + safer.how.slice(1)
+  return `${does} To be on the safe side: ${how} Source: ${source}.`
 }

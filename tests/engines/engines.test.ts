@@ -7,6 +7,9 @@ import { createRun, simulate } from '../../src/physics/index.ts'
 import { engineChoices } from '../../src/lab/presets/engines.ts'
 import { engines } from '../../src/engines/index.ts'
 import { readAddress, writeAddress } from '../../src/lab/state/address.ts'
+import { changed } from '../../src/lab/state/change.ts'
+import type { Change } from '../../src/lab/state/change.ts'
+import { namesOf } from '../../src/lab/state/names.ts'
 import { opening } from '../../src/lab/state/opening.ts'
 
 /** Times are whole units, of which all steps and caps below are multiples: no loop rounds. */
@@ -196,9 +199,9 @@ describe.each(engines)('the change on $label', ({ id, method, safer }) => {
   })
 })
 
-describe('the menu of engines', () => {
-  const frames = { kind: 'steady', fps: 45 } as const
+const frames = { kind: 'steady', fps: 45 } as const
 
+describe('the menu of engines', () => {
   it('sets every runner to an engine, and leaves its frames and the scene', () => {
     for (const choice of engineChoices.slice(1)) {
       const { shown, label, watch } = choice.presetOf(opening, frames)
@@ -214,8 +217,8 @@ describe('the menu of engines', () => {
     }
   })
 
-  it('compares six, all on the frames of the runner that is looked at', () => {
-    const { shown, watch } = engineChoices[0]!.presetOf(opening, frames)
+  it('compares six, all on the frames of the runner that is looked at, each called by its engine', () => {
+    const { shown } = engineChoices[0]!.presetOf(opening, frames)
     const { runners } = shown.state
     expect(runners).toHaveLength(6)
     const methods = runners.map(({ timestep, integrator, stopping }) =>
@@ -223,7 +226,54 @@ describe('the menu of engines', () => {
     )
     expect(new Set(methods).size).toBe(6)
     for (const runner of runners) expect(runner.frames).toEqual(frames)
-    const named = engines.filter(({ label }) => watch.includes(label))
-    expect(named.length).toBeGreaterThanOrEqual(6)
+    const names = namesOf(runners)
+    expect(new Set(names).size).toBe(6)
+    for (const name of names) expect(engines.map(({ label }) => label as string)).toContain(name)
+  })
+})
+
+describe('a runner that an engine moves', () => {
+  const one = { ...engines[0].method, engine: engines[0].label }
+  const godot = changed(opening, { kind: 'runner', index: 1, values: one })
+  const named = (change: Change) => changed(godot, change).runners[1]!.engine
+
+  it('is written as the engine’s id, and read again', () => {
+    expect(writeAddress(godot)).toContain(
+      `runners=10/semi-implicit-euler/clamped;30/${engines[0].id};`,
+    )
+    expect(readAddress(writeAddress(godot))).toEqual(godot)
+    const [runner] = readAddress('runners=60/godot/rk4').runners
+    expect(runner).toMatchObject({ integrator: 'rk4', timestep: { kind: 'fixed', maxSteps: 8 } })
+    expect(runner!.engine).toBeUndefined()
+    expect(() => readAddress('runners=60/godott')).toThrow(/nor an engine such as godot/)
+  })
+
+  it('keeps the name while only its frames change, and loses it with its method', () => {
+    const index = 1
+    expect(named({ kind: 'option', index, of: 'frames', key: 'fps', value: 45 })).toBe(one.engine)
+    expect(named({ kind: 'runner', index, values: { frames } })).toBe(one.engine)
+    expect(named({ kind: 'runner', index, values: { hidden: true } })).toBe(one.engine)
+    expect(named({ kind: 'runner', index, values: { integrator: 'rk4' } })).toBeUndefined()
+    expect(
+      named({ kind: 'option', index, of: 'timestep', key: 'step', value: 0.01 }),
+    ).toBeUndefined()
+    expect(named({ kind: 'mode', mode: 'located' })).toBeUndefined()
+    const twice = changed(godot, { kind: 'duplicate', index }).runners
+    expect(twice.map(({ engine }) => engine)).toEqual([
+      undefined,
+      one.engine,
+      one.engine,
+      undefined,
+    ])
+  })
+
+  it('is called by the engine where frames don’t tell runners apart', () => {
+    const alike = changed(godot, {
+      kind: 'runner',
+      index: 0,
+      values: { frames: godot.runners[1]!.frames },
+    })
+    expect(namesOf(alike.runners.slice(0, 2))).toEqual(['Variable', engines[0].label])
+    expect(namesOf(godot.runners)).toEqual(['10 fps', '30 fps', '120 fps'])
   })
 })

@@ -53,7 +53,7 @@ const ROOM = 2.25
 /** The lines that the longest sentence of a figure takes in a wide figure, and in a narrow one. */
 const LINES = { wide: 3, narrow: 5 }
 /** The letters that a line of advice holds. */
-const LETTERS = { wide: 92, narrow: 42 }
+const LETTERS = { wide: 105, narrow: 49 }
 
 /** The figure's room as the text of a style attribute; the still at build time and the live figure have the same. */
 export function frameOf(figure: Figure): string {

@@ -28,12 +28,12 @@ const comparison: EngineChoice = {
     preset(
       GROUP,
       comparison.label,
-      `Six engines at their defaults, all on the same frames. From the first runner on: ${compared.map(({ label }) => label).join('; ')}. Choose one of them in the menu to read what it does, and what is left out here.`,
+      'Six engines at their defaults, all on the same frames. Choose one of them in the menu to read what it does, and what is left out here.',
       () =>
         checked({
           ...state,
-          runners: compared.map(({ method }, paletteIndex) => ({
-            ...method,
+          runners: compared.map(({ method, label: engine }, paletteIndex) => ({
+            ...{ ...method, engine },
             ...{ frames, paletteIndex, hidden: false },
           })),
         }),
@@ -47,7 +47,10 @@ export const engineChoices: readonly EngineChoice[] = [
     label,
     presetOf: (state: LabState) =>
       preset(GROUP, label, `${does} ${leavesOut} Source: ${source}.`, () =>
-        checked({ ...state, runners: state.runners.map((each) => ({ ...each, ...method })) }),
+        checked({
+          ...state,
+          runners: state.runners.map((each) => ({ ...each, ...method, engine: label })),
+        }),
       ),
   })),
 ]
