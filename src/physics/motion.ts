@@ -19,8 +19,6 @@ export class Motion {
   dt = NaN
   /** Time since the start of the step that the timestep policy asked for [s]. */
   elapsed = NaN
-  /** The length of that step's first part: up to where it was first shortened, or all of it [s]. */
-  firstPart = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** Energy that friction and drag have turned into heat [J]. */
   heat = NaN
