@@ -26,7 +26,7 @@ const ROUNDING = 16 * Number.EPSILON
 const TRUST = 1.5
 // Far more than a smooth motion asks for. A rule that trembles, as naive friction does at rest, does not come to an end.
 const MOST_TRIES_A_FRAME = 3e5
-const MOST_TRIES_A_SECOND = 1e6
+const MOST_TRIES_A_SECOND = 2e6
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
