@@ -7,7 +7,7 @@ import { lengthText, seconds } from '../chart/numbers.ts'
 import { spreadText } from '../lab/state/spreadText.ts'
 import { rateControl } from './shared/control.ts'
 import { figure } from './shared/figure.ts'
-import type { Reading } from './shared/figure.ts'
+import type { FigureReading } from './shared/figure.ts'
 import { kick } from './shared/kick.ts'
 import { roughly } from './shared/readings.ts'
 import { drawRuns } from './shared/scenePanel.ts'
@@ -93,7 +93,7 @@ export const yourEngine = figure({
     return `${settings}: the players’ blocks end ${ends}.${late}`
   },
   readings: (values, runs) =>
-    runs.flatMap((run, i): Reading[] => {
+    runs.flatMap((run, i): FigureReading[] => {
       const rate = `${ratesOf(values)[i]!} fps`
       const off = Math.abs(run.drawnS[run.frames]! - exactAt(run.experiment, DURATION).s)
       const lost = lostBy(run)

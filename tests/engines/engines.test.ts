@@ -245,7 +245,7 @@ describe('a runner that an engine moves', () => {
     const [runner] = readAddress('runners=60/godot/rk4').runners
     expect(runner).toMatchObject({ integrator: 'rk4', timestep: { kind: 'fixed', maxSteps: 8 } })
     expect(runner!.engine).toBeUndefined()
-    expect(() => readAddress('runners=60/godott')).toThrow(/nor an engine such as godot/)
+    expect(() => readAddress('runners=60/unity')).toThrow(/nor an engine such as godot/)
   })
 
   it('keeps the name while only its frames change, and loses it with its method', () => {
