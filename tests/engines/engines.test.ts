@@ -204,7 +204,7 @@ const frames = { kind: 'steady', fps: 45 } as const
 describe('the menu of engines', () => {
   it('sets every runner to an engine, and leaves its frames and the scene', () => {
     for (const choice of engineChoices.slice(1)) {
-      const { shown, label, watch } = choice.presetOf(opening, frames)
+      const { shown, label, watch } = choice.presetOf(opening, 0)
       expect(shown.problem, label).toBe('')
       expect(shown.state.parameters).toEqual(opening.parameters)
       expect(shown.state.runners.map((each) => each.frames)).toEqual(
@@ -218,14 +218,14 @@ describe('the menu of engines', () => {
   })
 
   it('compares six, all on the frames of the runner that is looked at, each called by its engine', () => {
-    const { shown } = engineChoices[0]!.presetOf(opening, frames)
+    const { shown } = engineChoices[0]!.presetOf(opening, 1)
     const { runners } = shown.state
     expect(runners).toHaveLength(6)
     const methods = runners.map(({ timestep, integrator, stopping }) =>
       JSON.stringify({ timestep, integrator, stopping }),
     )
     expect(new Set(methods).size).toBe(6)
-    for (const runner of runners) expect(runner.frames).toEqual(frames)
+    for (const runner of runners) expect(runner.frames).toEqual(opening.runners[1]!.frames)
     const names = namesOf(runners)
     expect(new Set(names).size).toBe(6)
     for (const name of names) expect(engines.map(({ label }) => label as string)).toContain(name)
@@ -273,7 +273,7 @@ describe('a runner that an engine moves', () => {
       index: 0,
       values: { frames: godot.runners[1]!.frames },
     })
-    expect(namesOf(alike.runners.slice(0, 2))).toEqual(['Variable', engines[0].label])
+    expect(namesOf(alike.runners.slice(0, 2))).toEqual(['30 fps', engines[0].label])
     expect(namesOf(godot.runners)).toEqual(['10 fps', '30 fps', '120 fps'])
   })
 })

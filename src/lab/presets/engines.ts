@@ -1,7 +1,7 @@
 import { preset } from './preset.ts'
 import type { Preset } from './preset.ts'
 import { checked } from '../state/check.ts'
-import type { LabState, RunnerState } from '../state/state.ts'
+import type { LabState } from '../state/state.ts'
 import { bevy } from '../../engines/bevy.ts'
 import { gameMaker } from '../../engines/gameMaker.ts'
 import { godot } from '../../engines/godot.ts'
@@ -13,8 +13,8 @@ import { unreal } from '../../engines/unreal.ts'
 /** What the menu of engines offers. */
 export interface EngineChoice {
   readonly label: string
-  /** The lab as it is, with the choice made of its runners; `frames` are those of the runner that is looked at. */
-  readonly presetOf: (state: LabState, frames: RunnerState['frames']) => Preset
+  /** The lab as it is, with the choice made of its runners; `selected` is the one that is looked at. */
+  readonly presetOf: (state: LabState, selected: number) => Preset
 }
 
 const GROUP = 'Your engine'
@@ -24,7 +24,7 @@ const compared = [unityFixedUpdate, godot, unreal, bevy, phaser, gameMaker]
 
 const comparison: EngineChoice = {
   label: 'Compare engines',
-  presetOf: (state, frames) =>
+  presetOf: (state, selected) =>
     preset(
       GROUP,
       comparison.label,
@@ -34,7 +34,7 @@ const comparison: EngineChoice = {
           ...state,
           runners: compared.map(({ method, label: engine }, paletteIndex) => ({
             ...{ ...method, engine },
-            ...{ frames, paletteIndex, hidden: false },
+            ...{ frames: state.runners[selected]!.frames, paletteIndex, hidden: false },
           })),
         }),
     ),

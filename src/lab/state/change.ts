@@ -63,7 +63,7 @@ export function changed(state: LabState, change: Change): LabState {
 function withRunner(state: LabState, index: number, values: Partial<DraftRunner>) {
   const isMethod = !('frames' in values || 'hidden' in values)
   const runners = state.runners.map((each, i) =>
-    i === index ? { ...each, ...(isMethod && { engine: undefined }), ...values } : each,
+    i === index ? { ...each, engine: isMethod ? undefined : each.engine, ...values } : each,
   )
   return { ...state, runners }
 }

@@ -49,9 +49,8 @@ export function checked(draft: Draft): LabState {
         experimentOf(draft as LabState, runner as RunnerState),
       )
       shared = { scene, parameters, duration }
-      const { engine } = runner
-      const named = typeof engine === 'string' && { engine }
-      runners.push({ ...own, paletteIndex, hidden: runner.hidden === true, ...named })
+      const engine = runner.engine as RunnerState['engine']
+      runners.push({ ...own, paletteIndex, hidden: runner.hidden === true, engine })
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
       for (const { path, message } of error.problems)

@@ -8,10 +8,9 @@ import type { RunnerState } from './state.ts'
  * differs as it takes.
  */
 export function namesOf(runners: readonly RunnerState[]): string[] {
-  const isEngine = runners.some(({ engine }) => engine)
   const parts = runners.map((runner) => [
     framesText(runner),
-    isEngine ? (runner.engine ?? label(timesteps, runner.timestep.kind)) : '',
+    runner.engine,
     label(integrators, runner.integrator),
     label(stoppings, runner.stopping),
     label(timesteps, runner.timestep.kind),
