@@ -59,7 +59,7 @@ export function* readTrace(events: readonly TraceEvent[]): Generator<number, Can
       // Threads write into a trace when they get to it, not in the order of time.
       const sorted = instants[i]!.sort((a, b) => a - b)
       sorted.forEach((each, k) => series.add(String(each), k + 1))
-      const process = `${names.get(thread) ?? 'Thread'}, ${thread}`
+      const process = `${names.get(thread) ?? 'Thread'} ${thread}`
       const meaning = { rank: 0, isClock: true }
       candidates.push(yield* series.candidate(name, process, meaning, 'µs'))
     }

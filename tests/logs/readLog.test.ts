@@ -127,8 +127,8 @@ describe('a trace of Chrome', () => {
   ])('%s gives the time between the frames of a thread', (_, text) => {
     const all = read(text)
     expect(all.map(({ column, process, unit }) => [column, process, unit])).toEqual([
-      ['DrawFrame', 'Compositor, 7 of process 41', 'µs'],
-      ['AnimationFrame', 'Thread, 1 of process 41', 'µs'],
+      ['DrawFrame', 'Compositor 7 of process 41', 'µs'],
+      ['AnimationFrame', 'Thread 1 of process 41', 'µs'],
     ])
     expect([...all[0]!.durations]).toEqual(seconds)
     expect([...all[1]!.durations]).toEqual(seconds.slice(3))

@@ -6,7 +6,7 @@ export function tabs(group: HTMLElement): void {
   const [languages, dimensions] = [distinct(0), distinct(1)]
   let [language, dimension] = [0, 0]
   const bar = document.createElement('div')
-  bar.className = 'choices'
+  bar.className = 'listing-choices'
   const choices = labelled(bar, 'group', 'Dimensions')
   const list = labelled(bar, 'tablist', 'Language')
   const pressed = dimensions.map((name, i) => button(choices, name, () => show(language, i)))
