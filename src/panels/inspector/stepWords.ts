@@ -103,7 +103,7 @@ export function wordsAfter(
   if (experiment.stopping === 'located') {
     const ends = stretch.begins + kept.dt
     const tries = stretch.tries.length
-    const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${counted(tries, 'try', 'tries')}` : ''}`
+    const when = say`after ${ends} s of ${step.asked} s${tries > 1 ? `, found in ${counted(tries, 'try', 'tries')}` : ''}`
     if (stretch.ends === 'stop') {
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing
