@@ -5,6 +5,7 @@ import type {
   Stretch,
   Trajectory,
 } from '../../physics/index.ts'
+import { roughSize } from '../../chart/magnitudes.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
 import { counted, say } from './said.ts'
 import type { Said } from './said.ts'
@@ -60,7 +61,7 @@ function toleranceWords(tolerance: number, steps: readonly PolicyStep[]): Said {
   const refused = tries.filter(({ attempt }) => !attempt.accepted).length
   const kept = tries.length - refused
   const taken = refused === 0 ? '' : `, ${refused === 1 ? 'one is' : `${refused} are`} taken back`
-  return say`An error of ${tolerance} m is allowed in each second: ${kept === 1 ? '1 try is' : `${kept} tries are`} kept${taken}.`
+  return say`An error of ${roughSize(tolerance)} is allowed in each second: ${kept === 1 ? '1 try is' : `${kept} tries are`} kept${taken}.`
 }
 
 /** What the accumulator held, what the frame paid in, and what was dropped: by the cap, and in whole steps. */
@@ -102,7 +103,7 @@ export function wordsAfter(
   if (experiment.stopping === 'located') {
     const ends = stretch.begins + kept.dt
     const tries = stretch.tries.length
-    const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${counted(tries, 'try', 'tries')}` : ''}`
+    const when = say`after ${ends} s of ${step.asked} s${tries > 1 ? `, found in ${counted(tries, 'try', 'tries')}` : ''}`
     if (stretch.ends === 'stop') {
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing

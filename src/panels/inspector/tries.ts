@@ -46,15 +46,20 @@ export function tryWords({ attempt, steps }: Try, next: Try | undefined, order: 
     said.push(
       say`Something happens in the step of Δt = ${whole.asked} s: it is tried up to there, Δt = ${whole.dt} s.`,
     )
-  const apart = say`${Math.abs(halves.to.s - whole.to.s)} m and ${Math.abs(halves.to.v - whole.to.v)} m/s`
-  const ratio = 2 ** order
-  const off = cut
-    ? say`times 2${superscript(order)}/(2${superscript(order)} − 1) = ${ratio}/${ratio - 1}: the whole is off by about ${error} m.`
-    : say`over 2${superscript(order)} − 1 = ${ratio - 1}: the halves are off by about ${error} m.`
-  said.push(
-    say`Whole, it ends at s = ${whole.to.s} m with v = ${whole.to.v} m/s; in two halves, ${apart} from that.`,
-    say`The two together, the speed by its way in a second, ${off} In so long a step ${allowed} m are allowed.`,
-  )
+  const ends = say`Whole, it ends at s = ${whole.to.s} m with v = ${whole.to.v} m/s; in two halves, `
+  const limit = say`In so long a step ${allowed} m are allowed.`
+  if (error === 0) said.push([...ends, ...say`at the same, to rounding. `, ...limit])
+  else {
+    const apart = say`${Math.abs(halves.to.s - whole.to.s)} m and ${Math.abs(halves.to.v - whole.to.v)} m/s`
+    const [power, ratio] = [`2${superscript(order)}`, 2 ** order]
+    const off = cut
+      ? say`times ${power}/(${power} − 1) = ${ratio}/${ratio - 1}: the whole is off by about ${error} m.`
+      : say`over ${power} − 1 = ${ratio - 1}: the halves are off by about ${error} m.`
+    said.push(
+      [...ends, ...apart, ...say` from that.`],
+      say`The two together, the speed by its way in a second, ${off} ${limit}`,
+    )
+  }
   const then = next ? say`The next is Δt = ${next.steps[0]!.asked} s long.` : say``
   const kept = cut
     ? say`So the whole is kept, which ends at the event exactly. ${then}`

@@ -46,10 +46,27 @@ test('what the words say of a difference is the error that the policy went by', 
   }
 })
 
+test('a stop ends the whole, which is kept and agrees with its halves where nothing is off', () => {
+  const kick: Experiment = {
+    ...spring,
+    ...{ scene: 'ramp', frames: { kind: 'steady', fps: 1 } },
+    parameters: { angle: 15, muStatic: 0.5, muKinetic: 0.5, speed: -5 },
+  }
+  const [first, second] = triesIn(traceFrame(kick, 1))
+  expect(first!.steps.map((_, i) => partName(first!, i))).toEqual([
+    ...['Up to the event', 'First half', 'Second half', 'Up to the event, to keep'],
+  ])
+  expect(first!.steps.map(({ takenBack }) => takenBack)).toEqual([true, true, true, false])
+  const said = tryWords(first!, second, 4).map(textOf).join(' ')
+  expect(said).toContain('in two halves, at the same, to rounding.')
+  expect(said).toContain('So the whole is kept, which ends at the event exactly.')
+})
+
 describe('the frame', () => {
   test('says how many were kept and taken back', () => {
     const refused = tries.filter(({ attempt }) => !attempt.accepted).length
     const words = textOf(policyWords(simulate(spring), 1, steps))
+    expect(words).toContain('An error of 1\u202fµm is allowed in each second')
     expect(words).toContain(`${tries.length - refused} tries are kept`)
     expect(words).toContain(refused === 1 ? 'one is taken back' : `${refused} are taken back`)
   })
