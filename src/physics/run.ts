@@ -32,10 +32,14 @@ export class Run implements FrameContext {
   readonly motion: Motion
   /** Time on the wall clock, the sum of all frames [s]. */
   time = NaN
+  /** The game's time: that of the wall clock as the game measures it, times the time scale [s]. */
+  gameTime = NaN
   /** The time that the physics state stands at [s]. */
   stateTime = NaN
-  /** How long the present frame lasts [s]. */
+  /** By how much the present frame moves the game's time [s]. */
   frameDuration = NaN
+  /** How fast the game's time goes: 0.1 is slow motion. */
+  readonly timeScale: number
   /** The position that the frame shows [m]. */
   drawnS = NaN
   /** Frame time that the timestep policy dropped [s]. */
@@ -70,6 +74,7 @@ export class Run implements FrameContext {
     const { parameters } = experiment
     this.integrator = entry(integrators, experiment.integrator)
     this.rule = entry(stoppings, experiment.stopping)
+    this.timeScale = experiment.timeScale
     this.policy = policyOf(experiment.timestep).start()
     this.advance = step
     this.motion = new Motion(
@@ -83,7 +88,8 @@ export class Run implements FrameContext {
     this.saved = new Saved(this.motion)
     this.order = Math.min(this.integrator.order, this.integrator.orderWithSpeed)
     this.drawnS = this.motion.s
-    this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
+    this.time = this.gameTime = this.stateTime = this.frameDuration = 0
+    this.lostTime = this.outcomeTime = 0
   }
 
   /** The outcome so far. Once the block has left the track or diverged, further frames change only the clock. */
@@ -111,22 +117,25 @@ export class Run implements FrameContext {
   /**
    * Advances the run by one frame.
    *
-   * @param duration how long the frame lasts [s], finite and not negative
+   * @param duration how long the frame lasts [s], finite and not negative; the time scale is applied to it
    * @throws RangeError if it is not, or if the run's time would no longer be finite
    */
   frame(duration: number): void {
-    if (!(typeof duration === 'number' && duration >= 0 && this.time + duration < Infinity))
+    const { timeScale } = this
+    const sum = timeScale * (this.time + duration)
+    if (!(typeof duration === 'number' && duration >= 0 && sum < Infinity))
       throw new RangeError(
         `A frame of ${show(duration)}: a frame lasts a finite number of seconds, 0 or more, and so does the run.`,
       )
     this.wallClock.add(duration)
-    this.frameDuration = duration
     this.time = this.wallClock.value
+    this.frameDuration = timeScale * duration
+    this.gameTime = timeScale * this.time
     this.advanceFrame()
   }
 
   /**
-   * Like `frame`, but the caller has set `frameDuration` and `time`. They are not passed as
+   * Like `frame`, but the caller has set `time`, `frameDuration` and `gameTime`. They are not passed as
    * arguments, since engines box number arguments.
    */
   advanceFrame(): void {

@@ -4,6 +4,7 @@ import { clockOf } from './frames/index.ts'
 import type { Integrator } from './integrator.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
+import { mostMeasured } from './measured.ts'
 import type { Problem } from './problems.ts'
 import type { Parameters } from './state.ts'
 import { policyOf } from './timesteps/index.ts'
@@ -17,7 +18,7 @@ const TRIALS = 8
  * too many evaluations of the acceleration.
  */
 export function workProblems(experiment: ResolvedExperiment, whole: boolean): Problem[] {
-  const { duration, frames, timestep, integrator, stopping, parameters } = experiment
+  const { duration, timeScale, frames, timestep, integrator, stopping, parameters } = experiment
   const problems: Problem[] = []
   const frameCount = clockOf(frames).frames(duration)
   if (frameCount > limits.frames)
@@ -25,7 +26,9 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
       path: 'duration',
       message: `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
     })
-  const steps = policyOf(timestep).steps(duration, frameCount)
+  // A game that measures wrongly, or in fast motion, lives through more time than passes on the wall.
+  const gameTime = timeScale * mostMeasured(frames, frameCount, duration)
+  const steps = policyOf(timestep).steps(gameTime, frameCount)
   if (steps > limits.steps)
     problems.push({
       path: 'timestep.step',
@@ -33,7 +36,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
     })
   if (!whole || problems.length > 0) return problems
   const { least, most }: Integrator['evaluations'] = entry(integrators, integrator).evaluations
-  const located = stopping === 'located' ? reversals(parameters, duration) : 0
+  const located = stopping === 'located' ? reversals(parameters, gameTime) : 0
   // A typical step lies between the fewest and the most evaluations: for implicit midpoint 6 of 1 to 40.
   const evaluations = (steps + TRIALS * located) * Math.sqrt(least * most)
   if (evaluations > limits.evaluations)

@@ -7,6 +7,8 @@ import type { Arbitrary } from 'fast-check'
 import {
   frameClocks,
   integrators,
+  limits,
+  measuring,
   parseExperiment,
   scenes,
   stoppings,
@@ -20,6 +22,7 @@ import type {
   Scene,
 } from '../../src/physics/index.ts'
 import type { FrameClock } from '../../src/physics/frameClock.ts'
+import { mostMeasured } from '../../src/physics/measured.ts'
 import type { TimestepPolicy } from '../../src/physics/timestepPolicy.ts'
 import { workProblems } from '../../src/physics/work.ts'
 
@@ -125,6 +128,13 @@ export function experiments(how: 'tame' | 'wild', from: Lists = {}): Arbitrary<R
           fc.integer({ min: 0, max: 4000 }).map((ms) => ms / 1000),
           fc.double({ min: 0, max: 1e6, noNaN: true }),
         )
+  // Half of the wild ones are measured wrongly, and half are slow or fast.
+  const measured =
+    how === 'tame' ? fc.constant({}) : fc.oneof(fc.constant({}), values(measuring, draw))
+  const timeScale =
+    how === 'tame'
+      ? fc.constant(1)
+      : fc.oneof(fc.constant(1), fc.double({ ...limits.timeScale, noNaN: true }))
   return fc
     .constantFrom(...(from.scenes ?? scenes))
     .chain((scene) =>
@@ -134,8 +144,11 @@ export function experiments(how: 'tame' | 'wild', from: Lists = {}): Arbitrary<R
         integrator: id(from.integrators ?? integrators),
         stopping: id(from.stoppings ?? stoppings),
         timestep: choice(from.timesteps ?? timesteps, draw),
-        frames: choice(from.frameClocks ?? frameClocks, draw),
+        frames: fc
+          .tuple(choice(from.frameClocks ?? frameClocks, draw), measured)
+          .map(([frames, measured]) => ({ ...frames, ...measured })),
         duration,
+        timeScale,
       }),
     )
     .map((experiment) => {
@@ -150,11 +163,18 @@ const MOST_FRAMES = 400
 const MOST_STEPS = 1000
 
 /** Frames and steps that an experiment asks for, by what its clock and its policy say of themselves. */
-export function work({ frames, timestep, duration }: ResolvedExperiment) {
+export function work({ frames, timestep, duration, timeScale }: ResolvedExperiment) {
   const clock: FrameClock = frameClocks.find((each) => each.id === frames.kind)!
   const policy: TimestepPolicy = timesteps.find((each) => each.id === timestep.kind)!
   const count = Math.ceil(clock.frames(frames as never, duration))
-  return { frames: count, steps: policy.steps(timestep as never, duration, count) }
+  return {
+    frames: count,
+    steps: policy.steps(
+      timestep as never,
+      timeScale * mostMeasured(frames, count, duration),
+      count,
+    ),
+  }
 }
 
 function affordable(experiment: ResolvedExperiment): ResolvedExperiment {

@@ -1,4 +1,11 @@
-import { defaults, frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
+import {
+  defaults,
+  frameClocks,
+  integrators,
+  measuring,
+  stoppings,
+  timesteps,
+} from '../../physics/index.ts'
 import type { Option, Options, Problem } from '../../physics/index.ts'
 import { writeNumber } from '../../chart/numbers.ts'
 import { readNumber } from '../../chart/typedNumber.ts'
@@ -12,7 +19,7 @@ import type { RunnerState } from './state.ts'
  *
  *     10;30/semi-implicit-euler/clamped;jitter(fps:30,amount:0.5,seed:1)/fixed(step:1/60)/rk4
  *
- * A number is a steady frame rate. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
+ * A number is a steady frame rate that is measured exactly. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
  * rule, with its options in brackets; the items of a list stand with `+` between, or as durationCode.ts writes them
  * where that is shorter. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is
  * left out is at the default of an experiment, so the example begins with velocity Verlet, located stops and a variable
@@ -37,7 +44,11 @@ export function readRunners(text: string, problems: Problem[]): DraftRunner[] {
 
 function writeRunner(runner: RunnerState, turn: number): string {
   const { frames, timestep, integrator, stopping, paletteIndex, hidden } = runner
-  const words = [frames.kind === 'steady' ? writeNumber(frames.fps) : call(frames, frameClocks)]
+  const words = [
+    frames.kind === 'steady' && !frames.delta
+      ? writeNumber(frames.fps)
+      : call(frames, frameClocks, measuring),
+  ]
   if (timestep.kind !== defaults.timestep.kind) words.push(call(timestep, timesteps))
   if (integrator !== defaults.integrator) words.push(integrator)
   if (stopping !== defaults.stopping) words.push(stopping)
@@ -50,9 +61,10 @@ function writeRunner(runner: RunnerState, turn: number): string {
 function call(
   chosen: RunnerState['frames'] | RunnerState['timestep'],
   list: readonly { readonly id: string; readonly options: Options }[],
+  common: Options = {},
 ): string {
   const { kind, ...values } = chosen
-  const { options } = list.find(({ id }) => id === kind)!
+  const options = { ...list.find(({ id }) => id === kind)!.options, ...common }
   const given = Object.entries(values)
     .filter(([key, value]) => !(options[key]!.optional && options[key]!.initial === value))
     .map(([key, value]) => `${key}:${writeValue(value)}`)
@@ -90,7 +102,8 @@ function readRunner(text: string, turn: number, problems: Problem[]): DraftRunne
     const clock = frameClocks.find((each) => each.id === id)
     const policy = timesteps.find((each) => each.id === id)
     if (rate !== undefined) runner.frames = { kind: 'steady', fps: rate }
-    else if (clock) runner.frames = { kind: id, ...readOptions(inside, clock.options) }
+    else if (clock)
+      runner.frames = { kind: id, ...readOptions(inside, { ...clock.options, ...measuring }) }
     else if (policy) runner.timestep = { kind: id, ...readOptions(inside, policy.options) }
     else if (integrators.some((each) => each.id === word)) runner.integrator = word
     else if (stoppings.some((each) => each.id === word)) runner.stopping = word

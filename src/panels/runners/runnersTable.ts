@@ -4,6 +4,7 @@ import { frameClocks, integrators, stoppings, timesteps } from '../../physics/in
 import type { Described } from '../../physics/index.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
+import { measuredDelta } from './measuredDelta.ts'
 import './runnerRow.ts'
 
 const headings = [
@@ -56,13 +57,14 @@ function add(lab: LabView, button: HTMLElement): void {
   eyes[eyes.length - 1]!.focus()
 }
 
-function notes({ simulated, selected }: LabView) {
+function notes(lab: LabView) {
+  const { simulated, selected } = lab
   const runner = simulated.runners[selected]
   if (!runner) return ''
   const { integrator, stopping, timestep, frames } = runner.state
   return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.paletteIndex})">
     ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
-    ${note(frameClocks, frames.kind)}
+    ${note(frameClocks, frames.kind)} ${measuredDelta(lab)}
   </dl>`
 }
 

@@ -10,7 +10,7 @@ export const capped = {
   id: 'capped',
   label: 'Capped',
   about:
-    'One step a frame, but never longer than the cap: what a slow frame exceeds it by is lost, and the game runs late.',
+    'One step a frame, never longer than the cap: the rest of a slow frame is lost, and the game runs late.',
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,
@@ -21,7 +21,7 @@ export const capped = {
       frame.motion.dt = Math.min(frame.frameDuration, cap)
       frame.step()
       frame.lostTime = lost.value
-      frame.stateTime = frame.time - frame.lostTime
+      frame.stateTime = frame.gameTime - frame.lostTime
     }
   },
 } as const satisfies TimestepPolicy

@@ -13,9 +13,11 @@ export const perFrame = {
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,
-  start: ({ step }: Values<typeof options>) => {
+  start: (chosen: Values<typeof options>) => {
     let steps = 0
     return (frame) => {
+      // Such a game knows no frame times: in slow motion it takes shorter steps.
+      const step = frame.timeScale * chosen.step
       // #region advance
       frame.motion.dt = step
       frame.step()

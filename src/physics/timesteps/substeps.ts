@@ -30,7 +30,7 @@ export const substeps = {
       lost.add(frame.frameDuration - time)
       lost.add((wanted - count) * length)
       frame.lostTime = lost.value
-      frame.stateTime = frame.time - frame.lostTime
+      frame.stateTime = frame.gameTime - frame.lostTime
     }
   },
 } as const satisfies TimestepPolicy

@@ -35,7 +35,7 @@ export const toTolerance = {
   id: 'tolerance',
   label: 'To tolerance',
   about:
-    'As many steps in each frame as the error that you allow asks for: small where the motion is quick, long where it is not.',
+    'As many steps a frame as the error that you allow asks for: short where the motion is quick, long where it is not.',
   options,
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
@@ -50,7 +50,7 @@ export const toTolerance = {
         if (tries === MOST_TRIES_A_FRAME) return frame.abandon()
         advance(frame, next)
       }
-      frame.stateTime = frame.time
+      frame.stateTime = frame.gameTime
     }
   },
 } as const satisfies TimestepPolicy
@@ -59,7 +59,7 @@ export const toTolerance = {
 function advance(frame: FrameContext, next: Next): void {
   // #region advance
   const { motion } = frame
-  frame.stateTime = frame.time - next.left
+  frame.stateTime = frame.gameTime - next.left
   motion.dt = next.left / Math.max(1, Math.ceil(next.left / next.step))
   const atEvent = tryStep(frame, next)
   const step = 2 * motion.dt

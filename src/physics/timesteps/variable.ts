@@ -13,6 +13,6 @@ export const variable = {
     frame.motion.dt = frame.frameDuration
     frame.step()
     // #endregion
-    frame.stateTime = frame.time
+    frame.stateTime = frame.gameTime
   },
 } as const satisfies TimestepPolicy
