@@ -8,6 +8,7 @@ import { whereDoesItStop } from './whereDoesItStop.ts'
 import { chatter } from './chatter.ts'
 import { threeStops } from './threeStops.ts'
 import { framesAndTicks } from './framesAndTicks.ts'
+import { inputAndTicks } from './inputAndTicks.ts'
 import { hitch } from './hitch.ts'
 import { yourFrames } from './yourFrames.ts'
 import { coasting } from './coasting.ts'
@@ -33,6 +34,7 @@ export const all: readonly Figure[] = [
   chatter,
   threeStops,
   framesAndTicks,
+  inputAndTicks,
   hitch,
   yourFrames,
   coasting,
