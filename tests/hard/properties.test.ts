@@ -67,9 +67,9 @@ function expectCounters(run: Trajectory): void {
   // on a belt is asked once whether it stays.
   const { least } = methodOf(experiment.integrator).evaluations
   const once = experiment.scene === 'belt' ? 1 : least
-  // So has a frame that the game takes for no time at all.
+  // So has a frame that the game takes for no time at all, and half of the smallest number is 0, which is no step to try.
   const waits = run.gameTime.some((time, row) => row > 0 && time === run.gameTime[row - 1])
-  if (run.outcome.kind === 'moving' && !waits)
+  if (run.outcome.kind === 'moving' && !waits && last(run.gameTime) > Number.MIN_VALUE)
     expect(evaluations).toBeGreaterThanOrEqual(once * steps)
   // No time is lost silently. Whole steps of `fixed` may still be due, and `per-frame` goes by no clock.
   if (timestep.kind === 'per-frame') expect(lostTime).toBe(0)
