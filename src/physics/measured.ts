@@ -56,10 +56,8 @@ export function measure(
 ): Frames {
   if (!delta) return clock
   const sum = new ExactSum()
-  // When the last frames ended, in a ring, and how long the one before lasted [s]: engines box a number that a closure keeps
-  // changing.
-  const ends = new Float64Array(n)
-  const before = new Float64Array(1)
+  // When the last frames ended, in a ring [s].
+  const ends = new Float64Array(delta === 'late' ? 1 : n)
   let count = 0
   return {
     duration: NaN,
@@ -67,24 +65,14 @@ export function measure(
     /** The clock is already at the frame that is to be measured. */
     next() {
       const { duration, time } = clock
-      const slot = count++ % n
+      const slot = count++ % ends.length
       if (delta === 'rounded') this.duration = Math.round(1000 * duration) / 1000
       else if (delta === 'snapped') this.duration = Math.max(1, Math.round(duration * rate)) / rate
-      else if (delta === 'late') this.duration = before[0]!
-      else this.duration = (time - ends[slot]!) / Math.min(count, n)
-      before[0] = duration
+      else if (delta === 'late') this.duration = ends[0]! - this.time
+      else this.duration = (time - ends[slot]!) / Math.min(count, ends.length)
       ends[slot] = time
       sum.add(this.duration)
       this.time = sum.value
     },
   }
-}
-
-/** About the most that a game measures of so many frames [s]. */
-export function mostMeasured(
-  { delta, snapTo: rate = snapTo.initial }: Measuring,
-  frames: number,
-  duration: number,
-): number {
-  return delta === 'snapped' ? duration + frames / rate : duration
 }

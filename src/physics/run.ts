@@ -1,10 +1,8 @@
 import type { ResolvedExperiment } from './experiment.ts'
-import { ExactSum } from './exactSum.ts'
 import type { Integrator } from './integrator.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import { Motion } from './motion.ts'
-import { show } from './problems.ts'
 import { Saved } from './saved.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
@@ -23,10 +21,7 @@ export interface Outcome {
   time: number
 }
 
-/**
- * A run of an experiment, one frame at a time: what a game loop calls. `simulate` is a loop around it.
- * Made by `createRun`.
- */
+/** A run of an experiment, one frame at a time: `simulate` is a loop around it, and a game loop calls it as a `DrivenRun`. */
 export class Run implements FrameContext {
   /** The block: `s` [m] and `v` [m/s] are its state. */
   readonly motion: Motion
@@ -60,7 +55,6 @@ export class Run implements FrameContext {
   private outcomeTime = NaN
   private readonly saved: Saved
   private savedSteps = 0
-  private readonly wallClock = new ExactSum()
   private readonly integrator: Integrator
   private readonly rule: StoppingRule
   private readonly policy: Advance
@@ -116,27 +110,7 @@ export class Run implements FrameContext {
   }
 
   /**
-   * Advances the run by one frame.
-   *
-   * @param duration how long the frame lasts [s], finite and not negative; the time scale is applied to it
-   * @throws RangeError if it is not, or if the run's time would no longer be finite
-   */
-  frame(duration: number): void {
-    const { timeScale } = this
-    const sum = timeScale * (this.time + duration)
-    if (!(typeof duration === 'number' && duration >= 0 && sum < Infinity))
-      throw new RangeError(
-        `A frame of ${show(duration)}: a frame lasts a finite number of seconds, 0 or more, and so does the run.`,
-      )
-    this.wallClock.add(duration)
-    this.time = this.wallClock.value
-    this.frameDuration = timeScale * duration
-    this.gameTime = timeScale * this.time
-    this.advanceFrame()
-  }
-
-  /**
-   * Like `frame`, but the caller has set `time`, `frameDuration` and `gameTime`. They are not passed as
+   * Advances the run by one frame, whose `time`, `frameDuration` and `gameTime` the caller has set. They are not passed as
    * arguments, since engines box number arguments.
    */
   advanceFrame(): void {

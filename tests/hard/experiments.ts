@@ -22,7 +22,6 @@ import type {
   Scene,
 } from '../../src/physics/index.ts'
 import type { FrameClock } from '../../src/physics/frameClock.ts'
-import { mostMeasured } from '../../src/physics/measured.ts'
 import type { TimestepPolicy } from '../../src/physics/timestepPolicy.ts'
 import { workProblems } from '../../src/physics/work.ts'
 
@@ -167,13 +166,12 @@ export function work({ frames, timestep, duration, timeScale }: ResolvedExperime
   const clock: FrameClock = frameClocks.find((each) => each.id === frames.kind)!
   const policy: TimestepPolicy = timesteps.find((each) => each.id === timestep.kind)!
   const count = Math.ceil(clock.frames(frames as never, duration))
+  // Of a frame that is snapped to a display, a refresh counts at the least.
+  const snapped = frames.delta === 'snapped' ? count / (frames.snapTo ?? 60) : 0
+  const gameTime = timeScale * (duration + snapped)
   return {
     frames: count,
-    steps: policy.steps(
-      timestep as never,
-      timeScale * mostMeasured(frames, count, duration),
-      count,
-    ),
+    steps: policy.steps(timestep as never, gameTime, count),
   }
 }
 

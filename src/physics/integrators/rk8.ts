@@ -75,7 +75,7 @@ export const rk8 = {
   id: 'rk8',
   label: 'Runge–Kutta 8',
   about:
-    'Evaluates eleven slopes, weighted so that all errors up to the eighth power of the step cancel: a few long steps suffice.',
+    'Eleven slopes, weighted so that errors up to the eighth power of the step cancel: a few long steps suffice.',
   formula: [
     'a₁ = a(s, v)',
     ...STAGES.slice(0, -1).flatMap((stage, i) => {

@@ -8,8 +8,7 @@ const options = { step } as const
 export const perFrame = {
   id: 'per-frame',
   label: 'No delta time',
-  about:
-    'One step of the same length every frame, however long the frame was: the faster the machine, the faster the game.',
+  about: 'One step of the same length every frame: the faster the machine, the faster the game.',
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,

@@ -33,7 +33,7 @@ export const toTolerance = {
   id: 'tolerance',
   label: 'To tolerance',
   about:
-    'As many steps a frame as the error that you allow asks for: short where the motion is quick, long where it is not.',
+    'As many steps a frame as the tolerance asks for: short where the motion is quick, long where it is not.',
   options,
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
