@@ -16,8 +16,11 @@ export class DrivenRun extends Run {
    */
   frame(duration: number): void {
     const { timeScale } = this
-    const sum = timeScale * (this.time + duration)
-    if (!(typeof duration === 'number' && duration >= 0 && sum < Infinity))
+    if (!(
+      typeof duration === 'number' &&
+      duration >= 0 &&
+      timeScale * (this.time + duration) < Infinity
+    ))
       throw new RangeError(
         `A frame of ${show(duration)}: a frame lasts a finite number of seconds, 0 or more, and so does the run.`,
       )
