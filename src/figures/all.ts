@@ -11,6 +11,7 @@ import { framesAndTicks } from './framesAndTicks.ts'
 import { inputAndTicks } from './inputAndTicks.ts'
 import { hitch } from './hitch.ts'
 import { yourFrames } from './yourFrames.ts'
+import { yourEngine } from './yourEngine.ts'
 import { coasting } from './coasting.ts'
 import { following } from './following.ts'
 import { halfPipeEnergy } from './halfPipeEnergy.ts'
@@ -37,6 +38,7 @@ export const all: readonly Figure[] = [
   inputAndTicks,
   hitch,
   yourFrames,
+  yourEngine,
   coasting,
   following,
   halfPipeEnergy,

@@ -21,6 +21,7 @@ export const figures: readonly FigureEntry[] = [
   'input-and-ticks',
   'hitch',
   'your-frames',
+  'your-engine',
   'coasting',
   'following',
   'half-pipe-energy',

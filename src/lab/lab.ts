@@ -5,7 +5,7 @@ import type { Trajectory } from '../physics/index.ts'
 import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
 import { EarlyPress } from './earlyPress.ts'
-import type { LabView, OpenPanels, Panels } from './labView.ts'
+import type { LabView, Menus, OpenPanels, Panels } from './labView.ts'
 import { modeButtons, sceneTabs } from './choices.ts'
 import { linkProblems, presetNote } from './notices.ts'
 import { LabHistory } from './labHistory.ts'
@@ -13,7 +13,6 @@ import type { Snapshot } from './labHistory.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
-import type { EngineChoice } from './engines/choices.ts'
 import type { Preset } from './presets/preset.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
@@ -92,12 +91,8 @@ export abstract class Lab extends LitElement implements LabView {
     this.selected = Math.min(this.selected, state.runners.length - 1)
   }
 
-  get presets(): readonly Preset[] {
-    return this.panels?.presets ?? []
-  }
-
-  get engines(): readonly EngineChoice[] {
-    return this.panels?.engines ?? []
+  get menus(): Menus {
+    return this.panels?.menus ?? { presets: [], engines: [] }
   }
 
   get trajectories(): readonly Trajectory[] {

@@ -3,10 +3,9 @@ import { forceDrawing } from '../view/forces.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
-import { engineChoices } from '../lab/engines/choices.ts'
-import { presets } from '../lab/presets/index.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
+import { menus } from './menus.ts'
 import { parametersPanel } from './parameters/parametersPanel.ts'
 import { runnersTable } from './runners/runnersTable.ts'
 import './measures/labMeasures.ts'
@@ -21,8 +20,7 @@ export const instruments: OpenPanels = (lab) => {
   const forces = new ForcesSwitch(lab)
   return {
     glide: new Glide(lab),
-    presets,
-    engines: engineChoices,
+    menus,
     forces: () => forces.vectors(),
     forceDrawing,
     below() {

@@ -2,8 +2,8 @@ import { simulate } from '../../physics/index.ts'
 import type { Timestep } from '../../physics/index.ts'
 import { frameRateSpread, trajectoryErrors } from '../../measure/index.ts'
 import { fixed as decimals, metres, seconds } from '../../chart/numbers.ts'
-import { kick, paperStep } from './experiments.ts'
 import { readPresses } from '../../physics/input.ts'
+import { apart, kick, paperStep } from './experiments.ts'
 import { exactly } from './fact.ts'
 import type { Facts } from './fact.ts'
 
@@ -30,7 +30,13 @@ function heard(fps: number, isSuch: (ticks: number) => boolean): number {
 
 const percent = (part: number) => `${decimals(100 * part, 0)}\u202f%`
 
-/** What policies make of a hitch, and what a fixed step costs. */
+/** Unity's Update, as the figure on engines runs it. */
+const unityUpdate = {
+  ...{ ...kick, ...paperStep, duration: 1.5 },
+  timestep: { kind: 'capped', cap: 1 / 3 },
+} as const
+
+/** What policies make of a hitch, what a fixed step costs, and what an engine makes of three players. */
 export const realFrames = {
   hitchVariable: { value: () => offAfter({ kind: 'variable' }), show: metres },
   hitchSubsteps: { value: () => offAfter({ kind: 'substeps', step }), show: metres },
@@ -38,5 +44,6 @@ export const realFrames = {
   fixedSpread: { value: () => frameRateSpread(fixed).distance, show: exactly(metres) },
   pressesLost: { value: () => heard(60, (ticks) => ticks === 0), show: percent },
   pressesTwice: { value: () => heard(30, (ticks) => ticks === 2), show: percent },
+  engineApart: { value: () => apart(unityUpdate, [20, 60, 144]), show: metres },
   fixedShort: { value: () => trajectoryErrors(simulate(fixed)).atEnd, show: metres },
 } as const satisfies Facts
