@@ -9,8 +9,7 @@ const options = { cap } as const
 export const capped = {
   id: 'capped',
   label: 'Capped',
-  about:
-    'One step a frame, never longer than the cap: the rest of a slow frame is lost, and the game runs late.',
+  about: 'One step a frame, never longer than the cap: the rest of a slow frame is lost.',
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,

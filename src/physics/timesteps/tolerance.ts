@@ -32,8 +32,7 @@ const MOST_TRIES_A_SECOND = 2e6
 export const toTolerance = {
   id: 'tolerance',
   label: 'To tolerance',
-  about:
-    'As many steps a frame as the tolerance asks for: short where the motion is quick, long where it is not.',
+  about: 'As many steps a frame as the tolerance asks for: short where the motion is quick.',
   options,
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
