@@ -97,7 +97,7 @@ function transportOf({ figure, values, playback, set }: Face) {
   const { playing } = playback
   const label = playing ? 'Pause' : 'Play'
   const act = () => {
-    set({ ...action!.act(values) })
+    set({ ...action!.act(values, performance.now() / 1000) })
     playback.toStart()
     playback.play()
   }

@@ -1,6 +1,6 @@
 import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
-import { limits } from '../../physics/index.ts'
+import { defaults, limits } from '../../physics/index.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
 import '../../ui/quantityControl.ts'
 import type { LabView } from '../../lab/labView.ts'
@@ -15,10 +15,18 @@ const durationQuantity: Quantity = {
   slider: { from: 0.1, to: 20, step: 0.1 },
 }
 
-/** What all runners share: the parameters of the scene, and how long the run lasts. */
+const timeScaleQuantity: Quantity = {
+  label: 'Time scale',
+  symbol: '',
+  unit: '×',
+  ...limits.timeScale,
+  slider: { from: 0.05, to: 2, step: 0.05 },
+}
+
+/** What all runners share: the parameters of the scene, how long the run lasts, and how fast its time goes. */
 export function parametersPanel({ simulated: { state, scene }, change }: LabView) {
   const start = openingOf(state.scene)
-  const rows = Math.ceil((Object.keys(scene.parameters).length + 1) / 2)
+  const rows = Math.ceil((Object.keys(scene.parameters).length + 2) / 2)
   return html`<section class="parameters" part="parameters">
     <h2>${scene.label}</h2>
     <div class="quantities" .style="--rows: ${rows}">
@@ -38,6 +46,12 @@ export function parametersPanel({ simulated: { state, scene }, change }: LabView
         .value=${state.duration}
         .initial=${start.duration}
         .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
+      ></slide-quantity-control>
+      <slide-quantity-control
+        .quantity=${timeScaleQuantity}
+        .value=${state.timeScale}
+        .initial=${defaults.timeScale}
+        .pick=${(timeScale: unknown) => change({ kind: 'timeScale', timeScale })}
       ></slide-quantity-control>
     </div>
   </section>`
