@@ -58,11 +58,10 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
   if (ownClock) await page.clock.install()
   await page.goto(new URL(path, inject('address')).href, { waitUntil: 'load' })
   await page.evaluate(() => document.fonts.ready.then(() => undefined))
-  if (options.javaScriptEnabled !== false) await whole(page)
-  if (!opening)
-    await page.evaluate(() =>
-      document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel')),
-    )
+  if (options.javaScriptEnabled !== false) {
+    await whole(page)
+    if (!opening) await endOpening(page)
+  }
   return { page, problems, close }
 }
 
@@ -71,10 +70,18 @@ async function whole(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const lab = document.querySelector('slide-lab')
     const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-measures:defined'
-    const text = document.querySelector('.tutorial')
-      ? ['slide-figure:defined', '.text > section:last-of-type.laid-out']
-      : []
-    return (!lab || lab.querySelector(later)) && text.every((each) => document.querySelector(each))
+    const figures =
+      !document.querySelector('.tutorial') || document.querySelector('slide-figure:defined')
+    return (!lab || lab.querySelector(later)) && figures
+  })
+}
+
+/** Nothing moves from then on, and the text is laid out. */
+async function endOpening(page: Page): Promise<void> {
+  await page.evaluate(() => document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel')))
+  await page.waitForFunction(() => {
+    const last = document.querySelector('.text > section:last-of-type')
+    return !last || last.classList.contains('laid-out')
   })
 }
 
