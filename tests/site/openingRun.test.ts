@@ -55,6 +55,15 @@ const played = (samples: Sample[]) => {
   return first < 0 ? [] : samples.slice(first)
 }
 
+test('what was out of sight meanwhile shows the end too', async () => {
+  const { page } = await openPage({ opening: true, height: 500 })
+  const ofEnd = await page.locator('.runner .end output').allInnerTexts()
+  expect(ofEnd[0]).toBe('−0.246\u202fm')
+  await expect
+    .poll(() => page.locator('.runner .now output').allInnerTexts(), { timeout: 10_000 })
+    .toEqual(ofEnd)
+})
+
 test('the blocks run once, then the number counts up, and then nothing moves', async () => {
   const { page, samples } = await watchOpening()
   await expect

@@ -130,7 +130,7 @@ function transportOf({ figure, values, playback, set }: Face) {
               @input=${(event: Event) =>
                 playback.seek((event.target as HTMLInputElement).valueAsNumber)}
             />
-            <output>${atNow(playback, (time) => fixed(time, 2))}&thinsp;s</output>`
+            <output>${atNow(playback, (time) => fixed(time, 2))}&#x202f;s</output>`
     }
   </div>`
 }
