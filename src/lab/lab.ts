@@ -13,6 +13,7 @@ import type { Snapshot } from './labHistory.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
+import type { Lesson } from './lesson.ts'
 import type { EngineChoice } from './engines/choices.ts'
 import type { Preset } from './presets/preset.ts'
 import { spreadNumber } from './spreadNumber.ts'
@@ -49,12 +50,14 @@ export abstract class Lab extends LitElement implements LabView {
     linkProblem: { state: true },
     spoken: { state: true },
     panels: { state: true },
+    lesson: { state: true },
   }
 
   declare compact: boolean
   declare simulated: Simulated
   declare preset: Preset | undefined
   declare selected: number
+  declare lesson: Lesson | undefined
   declare private linkProblem: string
   /** The picture in words, as it was when it last came to rest. */
   declare private spoken: string
@@ -136,6 +139,7 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   readonly change = (change: Change): string => {
+    if (this.lesson?.mayChange(change) === false) return 'This lesson leaves it as it is.'
     const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
     const isElsewhere = change.kind === 'scene' || change.kind === 'state'
@@ -224,12 +228,12 @@ export abstract class Lab extends LitElement implements LabView {
   private readonly tellLater = (): void => {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => {
-      this.spoken = describe(this.simulated, this.playback.time)
+      this.spoken = describe(this.simulated, this.playback.time, !this.lesson?.hides('exact'))
     }, PAUSE)
   }
 
   override render() {
-    const { simulated, playback, compact, panels } = this
+    const { simulated, playback, compact, panels, lesson } = this
     const { scene, exact, visible, state } = simulated
     const runners = visible.map(({ trajectory, name, state: { paletteIndex } }, i) => ({
       trajectory: this.drawn(trajectory, i),
@@ -240,18 +244,32 @@ export abstract class Lab extends LitElement implements LabView {
     const index = visible.indexOf(simulated.runners[this.selected]!)
     const selected = index < 0 ? undefined : index
     const { parameters, duration } = state
-    const still = { scene, parameters, duration, runners, exact, selected }
+    const still = {
+      ...{ scene, parameters, duration, runners, exact, selected },
+      withoutExact: lesson?.hides('exact'),
+      handles: lesson?.handles,
+    }
+    const hasModes = lesson?.may('modes') !== false
+    const hasSpread = !lesson?.hides('spread')
     return html`
       ${linkProblems(this.linkProblem)}
       <div class="sheet" part="sheet">
         ${
-          compact
+          compact || lesson?.locked
             ? nothing
-            : html`<div class="masthead">${sceneTabs(this, this.sceneName)} ${tools(this)}</div>`
+            : html`<div class="masthead">
+                ${lesson?.may('scene') === false ? nothing : sceneTabs(this, this.sceneName)}
+                ${tools(this)}
+              </div>`
         }
-        <div class="opening">
-          ${modeButtons(this)} ${spreadNumber(this, this.openingRun.counted)}
-        </div>
+        ${
+          hasModes || hasSpread
+            ? html`<div class="opening">
+                ${hasModes ? modeButtons(this) : nothing}
+                ${hasSpread ? spreadNumber(this, this.openingRun.counted) : nothing}
+              </div>`
+            : nothing
+        }
         ${presetNote(this)}
         <slide-stage
           part="stage"

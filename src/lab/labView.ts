@@ -5,6 +5,7 @@ import type { Glide } from './glide.ts'
 import type { LabHistory } from './labHistory.ts'
 import type { Playback } from './playback/playback.ts'
 import type { EngineChoice } from './engines/choices.ts'
+import type { Lesson } from './lesson.ts'
 import type { Preset } from './presets/preset.ts'
 import type { Change } from './state/change.ts'
 import type { Simulated } from './state/simulation.ts'
@@ -28,6 +29,8 @@ export interface LabView {
   readonly preset: Preset | undefined
   readonly load: (preset: Preset) => void
   readonly dismiss: () => void
+  /** What readers may use and see; undefined: all. */
+  readonly lesson: Lesson | undefined
 }
 
 /** What a lab sees of its panels. They are loaded when its picture is there. */

@@ -1,4 +1,4 @@
-import { html } from 'lit'
+import { html, nothing } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { iconButton } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
@@ -6,14 +6,19 @@ import type { Preset } from './presets/preset.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */
 export function tools(lab: LabView) {
-  const { history } = lab
+  const { history, lesson } = lab
+  const hasPresets = lesson?.may('presets') !== false
   return html`<div class="tools" role="group" aria-label="Lab">
     ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
-    ${presetMenu(lab)} ${engineMenu(lab)}
-    <slide-share-menu .lab=${lab}>
-      <button type="button" class="toggle" aria-expanded="false">Share</button>
-    </slide-share-menu>
+    ${hasPresets ? html`${presetMenu(lab)} ${engineMenu(lab)}` : nothing}
+    ${
+      lesson?.may('share') === false
+        ? nothing
+        : html`<slide-share-menu .lab=${lab}>
+            <button type="button" class="toggle" aria-expanded="false">Share</button>
+          </slide-share-menu>`
+    }
   </div>`
 }
 

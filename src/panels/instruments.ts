@@ -1,4 +1,4 @@
-import { html } from 'lit'
+import { html, nothing } from 'lit'
 import { forceDrawing } from '../view/forces.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
@@ -26,22 +26,29 @@ export const instruments: OpenPanels = (lab) => {
     forces: () => forces.vectors(),
     forceDrawing,
     below() {
-      const { simulated, playback, selected } = lab
-      return html`${forces.panel()} ${parametersPanel(lab)} ${runnersTable(lab)}
+      const { simulated, playback, selected, lesson } = lab
+      const may = (control: string) => lesson?.may(control) !== false
+      return html`${may('forces') ? forces.panel() : nothing} ${parametersPanel(lab)}
+        ${runnersTable(lab)}
         <slide-lab-plots
           part="plots"
           .simulated=${simulated}
           .time=${atNow(playback, (time) => time)}
           .playback=${playback}
           .selected=${selected}
+          .withoutExact=${lesson?.hides('exact') === true}
           .seek=${(time: number) => playback.seek(time)}
         ></slide-lab-plots>
-        <slide-lab-measures
-          .simulated=${simulated}
-          .selected=${selected}
-          .lab=${lab}
-        ></slide-lab-measures>
-        ${stepInspector(lab)}`
+        ${
+          may('measures')
+            ? html`<slide-lab-measures
+                .simulated=${simulated}
+                .selected=${selected}
+                .lab=${lab}
+              ></slide-lab-measures>`
+            : nothing
+        }
+        ${may('step') ? stepInspector(lab) : nothing}`
     },
   }
 }

@@ -80,6 +80,8 @@ test('the blocks run once, then the number counts up, and then nothing moves', a
   )
   expect(new Set(numbers).size).toBeGreaterThan(2)
   expect(new Set(seen.map(({ places }) => places)).size).toBe(1)
+  // The text is laid out once nothing moves.
+  await page.locator('.text > section:last-of-type.laid-out').waitFor()
   const requests = await page.evaluate(async () => {
     ;(window as unknown as { stopSampling: () => void }).stopSampling()
     await new Promise((resolve) => setTimeout(resolve, 100))

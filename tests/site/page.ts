@@ -69,7 +69,7 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
 async function whole(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const lab = document.querySelector('slide-lab')
-    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-measures:defined'
+    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-plots:defined'
     const figures =
       !document.querySelector('.tutorial') || document.querySelector('slide-figure:defined')
     return (!lab || lab.querySelector(later)) && figures

@@ -1,4 +1,4 @@
-import { html } from 'lit'
+import { html, nothing } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import { limits } from '../../physics/index.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
@@ -16,14 +16,18 @@ const durationQuantity: Quantity = {
 }
 
 /** What all runners share: the parameters of the scene, and how long the run lasts. */
-export function parametersPanel({ simulated: { state, scene }, change }: LabView) {
+export function parametersPanel({ simulated: { state, scene }, change, lesson }: LabView) {
   const start = openingOf(state.scene)
-  const rows = Math.ceil((Object.keys(scene.parameters).length + 1) / 2)
+  const may = (name: string) => lesson?.may(name) !== false
+  const parameters = Object.entries(scene.parameters).filter(([name]) => may(name))
+  const count = parameters.length + (may('duration') ? 1 : 0)
+  if (count === 0) return nothing
+  const rows = Math.ceil(count / 2)
   return html`<section class="parameters" part="parameters">
     <h2>${scene.label}</h2>
     <div class="quantities" .style="--rows: ${rows}">
       ${repeat(
-        Object.entries(scene.parameters),
+        parameters,
         ([name]) => `${scene.id} ${name}`,
         ([name, quantity]) =>
           html`<slide-quantity-control
@@ -33,12 +37,16 @@ export function parametersPanel({ simulated: { state, scene }, change }: LabView
             .pick=${(value: unknown) => change({ kind: 'parameters', values: { [name]: value } })}
           ></slide-quantity-control>`,
       )}
-      <slide-quantity-control
-        .quantity=${durationQuantity}
-        .value=${state.duration}
-        .initial=${start.duration}
-        .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
-      ></slide-quantity-control>
+      ${
+        may('duration')
+          ? html`<slide-quantity-control
+              .quantity=${durationQuantity}
+              .value=${state.duration}
+              .initial=${start.duration}
+              .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
+            ></slide-quantity-control>`
+          : nothing
+      }
     </div>
   </section>`
 }

@@ -1,7 +1,7 @@
 import { html, LitElement, nothing } from 'lit'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Described, Options } from '../../physics/index.ts'
-import { count } from '../../chart/numbers.ts'
+import { count, shownNumber } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { icon } from '../../ui/icons.ts'
 import { menu } from '../../ui/menu.ts'
@@ -71,6 +71,10 @@ class RunnerRow extends LitElement {
     `
   }
 
+  private may(control: string): boolean {
+    return this.lab.lesson?.may(control) !== false
+  }
+
   private mark() {
     const { paletteIndex, hidden } = this.runner.state
     return html`<span class="mark"
@@ -79,7 +83,11 @@ class RunnerRow extends LitElement {
   }
 
   private rate() {
-    return html`<div class="cell rate">${this.options('frames', frameClocks, true)}</div>`
+    const { frames } = this.runner.state
+    const text = 'fps' in frames ? `${shownNumber(frames.fps)} fps` : nothing
+    return html`<div class="cell rate">
+      ${this.may('fps') ? this.options('frames', frameClocks, true) : text}
+    </div>`
   }
 
   private clock() {
@@ -111,9 +119,15 @@ class RunnerRow extends LitElement {
     pick: (id: string) => boolean,
     options: readonly unknown[] = [],
   ) {
+    const may = this.may(name === 'clock' ? 'frames' : name)
+    const text = list.find(({ id }) => id === chosen)!.label
     return html`<div class="cell ${name}">
       <span class="cell-label" aria-hidden="true">${label}</span>
-      ${menu({ label: `${label}, ${this.runner.name}`, list, chosen, pick })} ${options}
+      ${
+        may
+          ? html`${menu({ label: `${label}, ${this.runner.name}`, list, chosen, pick })} ${options}`
+          : html`<span class="visually-hidden">${label}: </span>${text}`
+      }
     </div>`
   }
 
@@ -146,6 +160,7 @@ class RunnerRow extends LitElement {
     const { trajectory } = this.runner
     let row = -1
     let error = { text: '', title: '' }
+    if (this.lab.lesson?.hides('exact')) return this.result('Error now', 'now', '–', nothing)
     const at = (time: number) => {
       const next = rowAt(trajectory, time)
       if (next !== row) error = errorText(simulated, trajectory, (row = next))
@@ -158,6 +173,7 @@ class RunnerRow extends LitElement {
 
   private errorAtEnd() {
     const { trajectory } = this.runner
+    if (this.lab.lesson?.hides('exact')) return this.result('Error at the end', 'end', '–', nothing)
     const { text, title } = errorText(this.lab.simulated, trajectory, trajectory.frames)
     return this.result('Error at the end', 'end', text, title)
   }
@@ -182,6 +198,7 @@ class RunnerRow extends LitElement {
   private actions() {
     const { count, runner } = this
     const { hidden } = runner.state
+    if (!this.may('runners')) return nothing
     return html`<div class="actions">
       <button
         type="button"
