@@ -12,6 +12,8 @@ type PageOptions = {
   colorScheme?: 'light' | 'dark'
   reducedMotion?: 'reduce' | 'no-preference'
   hasTouch?: boolean
+  /** Of the browser, as `de-DE`. */
+  locale?: string
   javaScriptEnabled?: boolean
   /** Leaves the opening playing, which a touch ends otherwise. */
   opening?: boolean

@@ -1,4 +1,5 @@
 import { html, LitElement, nothing } from 'lit'
+import { decimalSign } from '../../chart/typedNumber.ts'
 import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { isPublic, onSiteChange, site } from '../../lab/site.ts'
@@ -196,12 +197,11 @@ class ShareMenu extends LitElement {
 }
 
 /** What spreadsheets of the reader's language open: most of those with decimal commas take semicolons between cells. */
-const semicolons = (() => {
-  const parts = new Intl.NumberFormat().formatToParts(0.5)
-  const decimal = parts.find(({ type }) => type === 'decimal')!.value
-  const label = `Save data (CSV, semicolons${decimal === ',' ? ', decimal commas' : ''})`
-  return { separator: ';', decimal, label } as const
-})()
+const semicolons = {
+  separator: ';',
+  decimal: decimalSign,
+  label: `Save data (CSV, semicolons${decimalSign === ',' ? ', decimal commas' : ''})`,
+} as const
 
 /** A page in a frame can’t know whether it may save files: the sandbox refuses without a word to it. */
 const isFramed = typeof window === 'object' && window.parent !== window

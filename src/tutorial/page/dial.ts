@@ -1,5 +1,5 @@
 import { shownNumber } from '../../chart/numbers.ts'
-import { readTyped } from '../../chart/typedNumber.ts'
+import { asTyped, readNumber, readTyped } from '../../chart/typedNumber.ts'
 import { figureNamed } from './figures.ts'
 
 /** So far a finger moves for one step of the number [px]. */
@@ -21,11 +21,11 @@ export function dial(number: HTMLElement): void {
   field.setAttribute('aria-label', label!)
   field.setAttribute('aria-valuemin', String(min))
   field.setAttribute('aria-valuemax', String(max))
-  let value = readTyped(number.textContent, '')!
+  let value = readNumber(number.textContent)!
   const fit = () => field.style.setProperty('--digits', String(Math.max(1, field.value.length)))
   const show = (shown: number) => {
     value = shown
-    field.value = shownNumber(value)
+    field.value = asTyped(shownNumber(value))
     field.setAttribute('aria-valuenow', String(value))
     field.setAttribute('aria-invalid', 'false')
     fit()
