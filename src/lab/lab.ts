@@ -4,10 +4,10 @@ import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
+import { allowed } from './allowed.ts'
 import { EarlyPress } from './earlyPress.ts'
 import type { LabView, OpenPanels, Panels } from './labView.ts'
 import { modeButtons, sceneTabs } from './choices.ts'
-import { linkProblems, presetNote } from './notices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
 import { OpeningRun } from './openingRun.ts'
@@ -139,7 +139,8 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   readonly change = (change: Change): string => {
-    if (this.lesson?.mayChange(change) === false) return 'This lesson leaves it as it is.'
+    const refused = this.lesson?.refusal(change)
+    if (refused) return refused
     const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
     const isElsewhere = change.kind === 'scene' || change.kind === 'state'
@@ -228,7 +229,7 @@ export abstract class Lab extends LitElement implements LabView {
   private readonly tellLater = (): void => {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => {
-      this.spoken = describe(this.simulated, this.playback.time, !this.lesson?.hides('exact'))
+      this.spoken = describe(this.simulated, this.playback.time, this.lesson?.hides('exact'))
     }, PAUSE)
   }
 
@@ -249,28 +250,20 @@ export abstract class Lab extends LitElement implements LabView {
       withoutExact: lesson?.hides('exact'),
       handles: lesson?.handles,
     }
-    const hasModes = lesson?.may('modes') !== false
-    const hasSpread = !lesson?.hides('spread')
     return html`
-      ${linkProblems(this.linkProblem)}
+      ${this.address?.problems(this.linkProblem)}
       <div class="sheet" part="sheet">
         ${
           compact || lesson?.locked
             ? nothing
             : html`<div class="masthead">
-                ${lesson?.may('scene') === false ? nothing : sceneTabs(this, this.sceneName)}
-                ${tools(this)}
+                ${allowed(this, 'scene', sceneTabs(this, this.sceneName))} ${tools(this)}
               </div>`
         }
-        ${
-          hasModes || hasSpread
-            ? html`<div class="opening">
-                ${hasModes ? modeButtons(this) : nothing}
-                ${hasSpread ? spreadNumber(this, this.openingRun.counted) : nothing}
-              </div>`
-            : nothing
-        }
-        ${presetNote(this)}
+        <div class="opening">
+          ${allowed(this, 'modes', modeButtons(this))}${lesson?.hides('spread') ? nothing : spreadNumber(this, this.openingRun.counted)}
+        </div>
+        <div class="preset-note" role="status">${panels?.note?.()}</div>
         <slide-stage
           part="stage"
           .playback=${playback}

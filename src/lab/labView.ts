@@ -35,6 +35,8 @@ export interface LabView {
 
 /** What a lab sees of its panels. They are loaded when its picture is there. */
 export interface Panels {
+  /** What to watch in the preset that is shown. */
+  note?(): unknown
   /** What stands below the transport. */
   below(): unknown
   /** Lets blocks glide to their new places. Until it loads, blocks jump. */

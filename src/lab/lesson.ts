@@ -18,7 +18,8 @@ export interface LessonAsked {
 export interface Lesson {
   readonly locked: boolean
   may(control: string): boolean
-  mayChange(change: Change): boolean
+  /** Why readers may not make a change; empty where they may. */
+  refusal(change: Change): string
   hides(answer: Answer): boolean
   /** The handles that the picture has. */
   readonly handles: readonly HandleId[]
@@ -73,7 +74,7 @@ export function lessonOf({ locked = false, controls, hide }: LessonAsked): {
   const lesson: Lesson = {
     locked: locked || (isLimited && used.names.length === 0),
     may,
-    mayChange: (change) => usedBy(change).every(may),
+    refusal: (change) => (usedBy(change).every(may) ? '' : 'This lesson leaves it as it is.'),
     hides: (answer) => hidden.names.includes(answer),
     handles,
   }

@@ -1,24 +1,24 @@
-import { html, nothing } from 'lit'
+import { html } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { iconButton } from '../ui/icons.ts'
+import { allowed } from './allowed.ts'
 import type { LabView } from './labView.ts'
 import type { Preset } from './presets/preset.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */
 export function tools(lab: LabView) {
-  const { history, lesson } = lab
-  const hasPresets = lesson?.may('presets') !== false
+  const { history } = lab
   return html`<div class="tools" role="group" aria-label="Lab">
     ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
-    ${hasPresets ? html`${presetMenu(lab)} ${engineMenu(lab)}` : nothing}
-    ${
-      lesson?.may('share') === false
-        ? nothing
-        : html`<slide-share-menu .lab=${lab}>
-            <button type="button" class="toggle" aria-expanded="false">Share</button>
-          </slide-share-menu>`
-    }
+    ${allowed(lab, 'presets', [presetMenu(lab), engineMenu(lab)])}
+    ${allowed(
+      lab,
+      'share',
+      html`<slide-share-menu .lab=${lab}>
+        <button type="button" class="toggle" aria-expanded="false">Share</button>
+      </slide-share-menu>`,
+    )}
   </div>`
 }
 

@@ -1,9 +1,11 @@
-import { html, nothing } from 'lit'
+import { html } from 'lit'
 import { forceDrawing } from '../view/forces.ts'
+import { allowed } from '../lab/allowed.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
 import { engineChoices } from '../lab/engines/choices.ts'
+import { presetNote } from '../lab/notices.ts'
 import { presets } from '../lab/presets/index.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
@@ -21,14 +23,14 @@ export const instruments: OpenPanels = (lab) => {
   const forces = new ForcesSwitch(lab)
   return {
     glide: new Glide(lab),
+    note: () => presetNote(lab),
     presets,
     engines: engineChoices,
     forces: () => forces.vectors(),
     forceDrawing,
     below() {
       const { simulated, playback, selected, lesson } = lab
-      const may = (control: string) => lesson?.may(control) !== false
-      return html`${may('forces') ? forces.panel() : nothing} ${parametersPanel(lab)}
+      return html`${allowed(lab, 'forces', forces.panel())} ${parametersPanel(lab)}
         ${runnersTable(lab)}
         <slide-lab-plots
           part="plots"
@@ -39,16 +41,16 @@ export const instruments: OpenPanels = (lab) => {
           .withoutExact=${lesson?.hides('exact') === true}
           .seek=${(time: number) => playback.seek(time)}
         ></slide-lab-plots>
-        ${
-          may('measures')
-            ? html`<slide-lab-measures
-                .simulated=${simulated}
-                .selected=${selected}
-                .lab=${lab}
-              ></slide-lab-measures>`
-            : nothing
-        }
-        ${may('step') ? stepInspector(lab) : nothing}`
+        ${allowed(
+          lab,
+          'measures',
+          html`<slide-lab-measures
+            .simulated=${simulated}
+            .selected=${selected}
+            .lab=${lab}
+          ></slide-lab-measures>`,
+        )}
+        ${allowed(lab, 'step', stepInspector(lab))}`
     },
   }
 }

@@ -57,7 +57,9 @@ describe('a lesson', () => {
     [{ kind: 'state', state: opening }, 'presets'],
   ])('lets %j be made by its own control alone', (change, control) => {
     for (const name of all)
-      expect(lessonOf({ controls: name }).lesson!.mayChange(change), name).toBe(name === control)
+      expect(lessonOf({ controls: name }).lesson!.refusal(change) === '', name).toBe(
+        name === control,
+      )
   })
 })
 

@@ -3,6 +3,7 @@ import { repeat } from 'lit/directives/repeat.js'
 import { limits } from '../../physics/index.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
 import '../../ui/quantityControl.ts'
+import { allowed } from '../../lab/allowed.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { openingOf } from '../../lab/state/opening.ts'
 
@@ -37,16 +38,16 @@ export function parametersPanel({ simulated: { state, scene }, change, lesson }:
             .pick=${(value: unknown) => change({ kind: 'parameters', values: { [name]: value } })}
           ></slide-quantity-control>`,
       )}
-      ${
-        may('duration')
-          ? html`<slide-quantity-control
-              .quantity=${durationQuantity}
-              .value=${state.duration}
-              .initial=${start.duration}
-              .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
-            ></slide-quantity-control>`
-          : nothing
-      }
+      ${allowed(
+        { lesson },
+        'duration',
+        html`<slide-quantity-control
+          .quantity=${durationQuantity}
+          .value=${state.duration}
+          .initial=${start.duration}
+          .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
+        ></slide-quantity-control>`,
+      )}
     </div>
   </section>`
 }

@@ -1,7 +1,8 @@
-import { html, nothing } from 'lit'
+import { html } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Described } from '../../physics/index.ts'
+import { allowed } from '../../lab/allowed.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import './runnerRow.ts'
@@ -14,7 +15,6 @@ const headings = [
 /** A row for each runner, and what the choices of the selected one mean. */
 export function runnersTable(lab: LabView) {
   const { runners } = lab.simulated
-  const may = (control: string) => lab.lesson?.may(control) !== false
   return html`<section class="runners" part="runners">
     <h2>Runners</h2>
     <div class="runner headings" aria-hidden="true">
@@ -32,30 +32,30 @@ export function runnersTable(lab: LabView) {
           .selected=${index === lab.selected}
         ></slide-runner-row>`,
     )}
-    ${
-      may('runners')
-        ? html`<button
-            type="button"
-            class="add"
-            ?disabled=${runners.length >= MOST_RUNNERS}
-            @click=${(event: Event) => add(lab, event.currentTarget as HTMLElement)}
-          >
-            Add a runner
-          </button>`
-        : nothing
-    }
-    ${
-      may('frames')
-        ? html`<slide-record-frames
-              .lab=${lab}
-              .selected=${runners[lab.selected]?.name ?? ''}
-            ></slide-record-frames>
-            <slide-open-log
-              .lab=${lab}
-              .selected=${runners[lab.selected]?.name ?? ''}
-            ></slide-open-log>`
-        : nothing
-    }
+    ${allowed(
+      lab,
+      'runners',
+      html`<button
+        type="button"
+        class="add"
+        ?disabled=${runners.length >= MOST_RUNNERS}
+        @click=${(event: Event) => add(lab, event.currentTarget as HTMLElement)}
+      >
+        Add a runner
+      </button>`,
+    )}
+    ${allowed(
+      lab,
+      'frames',
+      html`<slide-record-frames
+          .lab=${lab}
+          .selected=${runners[lab.selected]?.name ?? ''}
+        ></slide-record-frames>
+        <slide-open-log
+          .lab=${lab}
+          .selected=${runners[lab.selected]?.name ?? ''}
+        ></slide-open-log>`,
+    )}
     ${notes(lab)}
   </section>`
 }
