@@ -1,8 +1,8 @@
 import { html, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { SlideFigure } from '../figures/element/slideFigure.ts'
+import type { ControlValues } from '../figures/shared/control.ts'
 import { namesIn } from '../lab/lesson.ts'
-import type { Values } from '../figures/shared/control.ts'
 import { Shadow, themeProblem } from './shadow.ts'
 import { inUnits } from './styles.ts'
 
@@ -89,7 +89,7 @@ export class SlideFigureElement extends SlideFigure {
     })
   }
 
-  override get values(): Values {
+  override get values(): ControlValues {
     return super.values
   }
 

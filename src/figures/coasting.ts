@@ -1,4 +1,5 @@
-import { dampings, decay } from '../physics/damping.ts'
+import { dampings, decay, framesOfCoasting } from '../physics/damping.ts'
+import type { DampingId } from '../physics/damping.ts'
 import { drawAxes, drawCurve, graphIn } from '../chart/graph.ts'
 import { fixed, metres } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
@@ -10,7 +11,7 @@ const START = 5
 const rates = [30, 60, 200] as const
 
 interface CoastValues {
-  readonly damping: 'explicit' | 'implicit' | 'per-frame' | 'exponential'
+  readonly damping: DampingId
   readonly k: number
 }
 
@@ -47,17 +48,8 @@ export const coasting = figure({
   },
 })
 
-/** Its position after every frame [m]. */
 function pathOf({ damping, k }: CoastValues, fps: number): readonly number[] {
-  const left = dampings.find(({ id }) => id === damping)!.factor(k, 1 / fps)
-  let v = START
-  let x = 0
-  const path = [x]
-  for (let frame = 0; frame < DURATION * fps; frame++) {
-    v *= left
-    path.push((x += v / fps))
-  }
-  return path
+  return framesOfCoasting(damping, { k, v: START, fps, frames: DURATION * fps })
 }
 
 function draw(surface: DrawingSurface, { values }: View<CoastValues>): void {

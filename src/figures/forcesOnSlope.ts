@@ -3,7 +3,7 @@ import type { Experiment, ForceVectors, Trajectory } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import { fixed } from '../chart/numbers.ts'
 import { figure } from './shared/figure.ts'
-import type { Reading, DrawingSurface, View } from './shared/figure.ts'
+import type { FigureReading, DrawingSurface, View } from './shared/figure.ts'
 import { drawBlock, drawNamedArrows } from './shared/slope.ts'
 import {
   angleControl,
@@ -94,7 +94,7 @@ export const forcesOnSlope = figure({
   },
 })
 
-function force(label: string, value: number, colour: string): Reading {
+function force(label: string, value: number, colour: string): FigureReading {
   return { label, text: newtons(value), raw: value, colour }
 }
 

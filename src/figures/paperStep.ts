@@ -1,5 +1,5 @@
 import { asPrinted, corrections, exactMotion, paperStep as step } from '../physics/index.ts'
-import type { Body, Corrections, ExactMotion, Experiment, Vector } from '../physics/index.ts'
+import type { PaperBody, Corrections, ExactMotion, Experiment, Vector } from '../physics/index.ts'
 import { moved } from '../chart/geometry.ts'
 import type { Point } from '../chart/geometry.ts'
 import { clipTo, dot } from '../chart/graph.ts'
@@ -69,13 +69,13 @@ export const paperStep = figure({
 })
 
 /** The block after each frame, moved by the paper's step in the plane. */
-export function paperPath({ fps, ...corrected }: PaperValues): Body[] {
+export function paperPath({ fps, ...corrected }: PaperValues): PaperBody[] {
   const surface = {
     ...{ g: { x: 0, y: -9.81 }, n: normal, mass: 1 },
     ...{ muKinetic: parameters.muKinetic, muStatic: parameters.muStatic },
   }
   const { speed } = parameters
-  const path: Body[] = [{ r: { x: 0, y: 0 }, v: { x: speed * along.x, y: speed * along.y } }]
+  const path: PaperBody[] = [{ r: { x: 0, y: 0 }, v: { x: speed * along.x, y: speed * along.y } }]
   for (let frame = 0; frame < DURATION * fps; frame++)
     path.push(step(path[frame]!, surface, 1 / fps, corrected))
   return path

@@ -4,7 +4,7 @@ import { drawAxes, graphIn, line } from '../chart/graph.ts'
 import { write } from '../chart/text.ts'
 import { summarize, summaryText } from '../lab/state/frameTimes.ts'
 import { figure } from './shared/figure.ts'
-import type { DrawingSurface, Reading, View } from './shared/figure.ts'
+import type { DrawingSurface, FigureReading, View } from './shared/figure.ts'
 import { kick } from './shared/kick.ts'
 import { roughly } from './shared/readings.ts'
 
@@ -49,7 +49,7 @@ export const yourFrames = figure({
     return `${whose}: ${summaryText(frames)} Above, how far from the exact block each method draws a kick at worst.`
   },
   readings: (_, runs) =>
-    tried.map(({ label }, i): Reading => {
+    tried.map(({ label }, i): FigureReading => {
       const worst = worstOf(runs[i]!)
       return { label, text: roughly(worst), raw: worst }
     }),

@@ -18,7 +18,7 @@ export {
   rateMap,
   REFERENCE_RATE,
   rowsOf,
-  valueAt,
+  rowValue,
 } from './rateMap.ts'
 export type { CellKind, MapRequest, MapRow } from './rateMap.ts'
 export { leastDifference, scaleOf, withoutRounding } from './rounding.ts'

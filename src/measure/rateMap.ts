@@ -57,7 +57,7 @@ export function rateAt({ slowest, fastest, columns }: MapRequest, column: number
 }
 
 /** The parameter's value at the middle of a row, to four digits. */
-export function valueAt({ from, to, rows }: MapRequest, row: number): number {
+export function rowValue({ from, to, rows }: MapRequest, row: number): number {
   return short(from + ((to - from) * (row + 0.5)) / rows, 4)
 }
 
@@ -140,7 +140,7 @@ function cellExperiment(request: MapRequest, fps: number, row: number): Experime
     ...experiment,
     parameters: withParameters(
       { ...experiment.parameters },
-      { [parameter]: valueAt(request, row) },
+      { [parameter]: rowValue(request, row) },
     ),
     frames: { kind: 'steady', fps },
   }

@@ -25,6 +25,21 @@ export const dampings = [
 
 export type DampingId = (typeof dampings)[number]['id']
 
+/** Where a body is after each frame of a game that damps it first and moves it then; it starts at 0 with the speed `v` [m]. */
+export function framesOfCoasting(
+  id: DampingId,
+  { k, v, fps, frames }: { k: number; v: number; fps: number; frames: number },
+): number[] {
+  const left = dampings.find((each) => each.id === id)!.factor(k, 1 / fps)
+  let x = 0
+  const path = [x]
+  for (let frame = 0; frame < frames; frame++) {
+    v *= left
+    path.push((x += v / fps))
+  }
+  return path
+}
+
 /** exp(−x), within a few ulp. @param x 0 or more */
 export function decay(x: number): number {
   const halvings = Math.round(x / LN2)

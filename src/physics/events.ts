@@ -4,9 +4,9 @@ import type { Motion } from './motion.ts'
 
 /**
  * What ends a step early: the block turns (its sliding ends, v = u), comes to the end of its piece of track, or takes off
- * from a crest (press = 0).
+ * from a crest (press = 0). A block is fastest where the forces balance, and may turn there: that is looked at.
  */
-type Event = 'turn' | 'joint' | 'take-off'
+type Event = 'turn' | 'joint' | 'take-off' | 'balance'
 
 const MOST_HALVINGS = 60
 const MOST_ITERATIONS = 100
@@ -29,6 +29,7 @@ export function stepToEvent(motion: Motion, integrator: Integrator): void {
   if (changes > 1) motion.dt /= Math.ceil(2 * changes)
   integrator.step(motion)
   const { turnMatters } = motion.law
+  if (motion.law.belt !== 0 && mayHaveTouched(motion)) lookWhereFastest(motion, integrator)
   const turned = hasTurned(motion) && (turnMatters || mayReachEnd(motion))
   const overflowed = turnMatters && !(Math.abs(motion.v) < Infinity)
   if (turned || overflowed || isOutside(motion)) shortenToEvent(motion, integrator)
@@ -77,6 +78,7 @@ function residual(event: Event, motion: Motion): number {
   const { s, v, slip, from, to, law } = motion
   if (event === 'turn') return slip * (v - law.belt)
   if (event === 'joint') return slip > 0 ? to - s : s - from
+  if (event === 'balance') return slip * (s - balanceOf(motion))
   motion.findPress()
   return motion.press
 }
@@ -88,6 +90,31 @@ function residual(event: Event, motion: Motion): number {
 function takeOff(motion: Motion, integrator: Integrator): void {
   if (!locate('take-off', motion, integrator)) return motion.end('diverged')
   motion.end('left-the-track')
+}
+
+/** Where spring, gravity and friction balance a block that slides [m]. */
+function balanceOf({ tangential, friction, weight, law }: Motion): number {
+  return (tangential - friction * weight) / law.stiffness
+}
+
+/**
+ * Whether a block that is slower than the belt at both ends of a trial may have been as fast as the belt between them: it
+ * was fastest where the forces balance, with the speed that the energy of its swing allows.
+ */
+function mayHaveTouched(motion: Motion): boolean {
+  const { s, startS, startV, slip, law } = motion
+  const { belt, stiffness } = law
+  if (slip * belt > 0 || hasTurned(motion)) return false
+  const balance = balanceOf(motion)
+  const swing = startS - balance
+  if (!(slip * swing > 0 && slip * (s - balance) < 0)) return false
+  return startV * startV + stiffness * swing * swing > belt * belt
+}
+
+/** Ends a trial where the block is fastest, if it has turned by then; otherwise the trial stays. */
+function lookWhereFastest(motion: Motion, integrator: Integrator): void {
+  const { dt } = motion
+  if (!locate('balance', motion, integrator) || !hasTurned(motion)) retake(motion, integrator, dt)
 }
 
 /** Takes the step again, now of `dt` seconds. */
@@ -175,9 +202,11 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
 }
 
 /** The size of the terms whose difference is the residual, for its rounding error [m/s, m, m/s²]. */
-function sizeOf(event: Event, { slip, from, to, law }: Motion): number {
+function sizeOf(event: Event, motion: Motion): number {
+  const { slip, from, to, law } = motion
   if (event === 'turn') return Math.abs(law.belt)
   if (event === 'joint') return Math.abs(slip > 0 ? to : from)
+  if (event === 'balance') return Math.abs(balanceOf(motion))
   return law.gravity
 }
 

@@ -63,6 +63,9 @@ export const limits = {
   steps: 5e6,
   /** Evaluations of the acceleration, including those that locate events: a few seconds of work. */
   evaluations: 1e8,
-  /** Bounds for a run to a tolerance, whose work can't be forecast: a second or two, plus an allowance a frame. */
-  toTolerance: { evaluations: 5e6, evaluationsAFrame: 100 },
+  /**
+   * Bounds for a run to a tolerance, whose work can't be forecast: about a second, twice that for methods of second order
+   * or more, plus an allowance a frame. A method of first order has no chance where this is too little.
+   */
+  toTolerance: { evaluationsAnOrder: 5e6, evaluationsAFrame: 100 },
 } as const

@@ -13,10 +13,10 @@ export class FrameLoop {
   constructor(experiment: ResolvedExperiment, step?: typeof advance) {
     this.frames = new FramesUntil(experiment)
     this.run = new Run(experiment, step)
-    const { evaluations, evaluationsAFrame } = limits.toTolerance
+    const { evaluationsAnOrder, evaluationsAFrame } = limits.toTolerance
     this.mostEvaluations =
       experiment.timestep.kind === 'tolerance'
-        ? evaluations + evaluationsAFrame * this.expectedFrames
+        ? evaluationsAnOrder * Math.min(this.run.order, 2) + evaluationsAFrame * this.expectedFrames
         : limits.evaluations
   }
 

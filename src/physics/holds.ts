@@ -9,6 +9,6 @@ const ROUNDING = 4 * Number.EPSILON
  * @param most the largest drive that static friction can hold, μs press [m/s²]
  * @param terms the sum of the sizes of the terms of `drive` [m/s²]
  */
-export function holds(drive: number, most: number, terms: number): boolean {
+export function frictionHolds(drive: number, most: number, terms: number): boolean {
   return Math.abs(drive) - most <= ROUNDING * (terms + most)
 }

@@ -1,5 +1,5 @@
 import { Resistance } from './heat.ts'
-import { holds } from './holds.ts'
+import { frictionHolds } from './holds.ts'
 import { FAR } from './law.ts'
 import type { Law } from './law.ts'
 import { C10, C12, C14, C4, C6, C8, S11, S13, S3, S5, S7, S9, SinCos } from './trigonometry.ts'
@@ -19,8 +19,6 @@ export class Motion {
   dt = NaN
   /** Time since the start of the step that the timestep policy asked for [s]. */
   elapsed = NaN
-  /** The length of that step's first part: up to where it was first shortened, or all of it [s]. */
-  firstPart = NaN
   outcome: 'moving' | 'at-rest' | 'left-the-track' | 'diverged' = 'moving'
   /** Energy that friction and drag have turned into heat [J]. */
   heat = NaN
@@ -213,7 +211,7 @@ export class Motion {
     this.slide(0)
     const drive = this.acceleration(this.s, this.law.belt)
     const terms = Math.abs(this.tangential) + Math.abs(this.law.stiffness * this.s)
-    if (holds(drive, this.law.muStatic * this.weight, terms)) {
+    if (frictionHolds(drive, this.law.muStatic * this.weight, terms)) {
       if (this.law.belt === 0) this.end('at-rest')
       return false
     }

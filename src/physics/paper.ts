@@ -2,7 +2,7 @@ import { dot, length, plus, times, zero } from './vector.ts'
 import type { Vector } from './vector.ts'
 
 /** The paper's character: a point with a velocity. */
-export interface Body {
+export interface PaperBody {
   /** Position [m] and velocity [m/s]. */
   r: Vector
   v: Vector
@@ -52,11 +52,11 @@ export const allCorrected: Corrections = {
  */
 // #region step
 export function paperStep(
-  body: Body,
+  body: PaperBody,
   surface: Surface,
   dt: number,
   corrections: Corrections,
-): Body {
+): PaperBody {
   const { r, v } = body
   const { g, n, mass, muKinetic, muStatic } = surface
   const press = -mass * dot(g, n)

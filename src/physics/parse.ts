@@ -4,7 +4,7 @@ import { frameClocks } from './frames/index.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import type { ListOption, NumberOption, Option, Options } from './options.ts'
-import { ExperimentError, MOST_SHOWN, nearest, shorten, show } from './problems.ts'
+import { ExperimentError, MOST_SHOWN, nearestName, shorten, show } from './problems.ts'
 import type { Problem } from './problems.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
@@ -155,7 +155,7 @@ class Reader {
     for (const key of Object.keys(given)) {
       if (known.includes(key)) continue
       // Guessing a name is slow, and nobody reads a thousand guesses.
-      const name = this.problems.length < MOST_SHOWN ? nearest(key, known) : undefined
+      const name = this.problems.length < MOST_SHOWN ? nearestName(key, known) : undefined
       const hint = name ? `did you mean ${name}?` : `known are ${known.join(', ')}`
       this.report(path ? `${path}.${shorten(key)}` : shorten(key), `is not known here; ${hint}`)
     }
@@ -165,7 +165,7 @@ class Reader {
     if (list.some(({ id }) => id === value)) return value as string
     const name =
       typeof value === 'string'
-        ? nearest(
+        ? nearestName(
             value,
             list.map(({ id }) => id),
           )

@@ -54,7 +54,7 @@ export function shorten(text: string): string {
 }
 
 /** The known name that is closest to a written one, if any is close. */
-export function nearest(written: string, known: readonly string[]): string | undefined {
+export function nearestName(written: string, known: readonly string[]): string | undefined {
   if (written.length > LONGEST) return undefined
   let best: string | undefined
   let fewest = Math.max(2, written.length / 2) + 1

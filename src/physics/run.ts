@@ -47,6 +47,7 @@ export class Run implements FrameContext {
   /** Steps that the timestep policy asked for, without those that it took back. */
   steps = 0
   readonly order: number
+  tried = NaN
   error = NaN
   allowed = NaN
   /** Observes a policy that tries steps: called when a try is taken back, and when one is accepted or rejected. */
@@ -168,11 +169,25 @@ export class Run implements FrameContext {
     this.steps += count
     for (let i = 0; i < count && motion.moving; i++) {
       this.advance(motion, this.integrator, this.rule)
-      if (motion.outcome === 'at-rest' && !this.isPaidRest()) motion.outcome = 'diverged'
+      this.checkOutcome()
       if (!motion.moving)
         this.outcomeTime = this.stateTime + (before + i) * motion.dt + motion.elapsed
     }
     this.drawnS = motion.s
+  }
+
+  stepToEvent(): void {
+    const { motion } = this
+    this.steps++
+    this.advance(motion, this.integrator, this.rule, true)
+    this.checkOutcome()
+    if (!motion.moving) this.outcomeTime = this.stateTime + motion.elapsed
+    this.drawnS = motion.s
+  }
+
+  private checkOutcome(): void {
+    const { motion } = this
+    if (motion.outcome === 'at-rest' && !this.isPaidRest()) motion.outcome = 'diverged'
   }
 
   /**

@@ -12,13 +12,19 @@ const MOST_PARTS = 10_000
 /**
  * Advances by `motion.dt` seconds: in one step of the integrator or, if the stopping rule ends a step early, in several.
  * Only this function moves a block.
+ *
+ * @param once takes the first of these steps only, and leaves its length in `motion.dt`
  */
 // #region advance
-export function advance(motion: Motion, integrator: Integrator, rule: StoppingRule): void {
+export function advance(
+  motion: Motion,
+  integrator: Integrator,
+  rule: StoppingRule,
+  once = false,
+): void {
   const whole = motion.dt
   let left = whole
   motion.elapsed = 0
-  motion.firstPart = whole
   for (let parts = 0; left > 0 && motion.moving; parts++) {
     if (parts === MOST_PARTS) return motion.end('diverged')
     if (motion.v === motion.law.belt && rule.holdsSlip && !motion.setsOff()) {
@@ -30,7 +36,7 @@ export function advance(motion: Motion, integrator: Integrator, rule: StoppingRu
       if (motion.outcome !== 'diverged') accept(motion)
     }
     motion.elapsed = motion.dt === left ? whole : motion.elapsed + motion.dt
-    if (parts === 0) motion.firstPart = motion.elapsed
+    if (once) return
     left = whole - motion.elapsed
     motion.dt = left
   }

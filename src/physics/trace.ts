@@ -58,8 +58,10 @@ export interface Attempt {
 export interface PolicyStep {
   /** The policy took it back: it was a whole try, or half of a rejected one. */
   takenBack: boolean
-  /** The try that it belongs to: a whole step, two halves, and possibly a step before them that an event cut short. */
+  /** The try that it belongs to: a whole step, its two halves, and once more the whole where an event ended that one. */
   attempt?: Attempt
+  /** The length that was asked for, and its own [s]: less where the policy takes a step up to its first event only. */
+  asked: number
   dt: number
   from: State
   to: State
@@ -79,9 +81,9 @@ export interface PolicyStep {
 export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] {
   const steps: PolicyStep[] = []
   let reached = 0
-  const loop = new FrameLoop(parseExperiment(experiment), (motion, integrator, rule) => {
-    if (reached < frame) advance(motion, integrator, rule)
-    else steps.push(traceStep(motion, integrator, rule))
+  const loop = new FrameLoop(parseExperiment(experiment), (motion, integrator, rule, once) => {
+    if (reached < frame) advance(motion, integrator, rule, once)
+    else steps.push(traceStep(motion, integrator, rule, once))
   })
   const { run } = loop
   let judged = 0
@@ -107,8 +109,13 @@ export function traceFrame(experiment: Experiment, frame: number): PolicyStep[] 
 }
 
 /** Takes a step like `advance`, and records what happens in it. */
-function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): PolicyStep {
-  const { dt } = motion
+function traceStep(
+  motion: Motion,
+  integrator: Integrator,
+  rule: StoppingRule,
+  once: boolean | undefined,
+): PolicyStep {
+  const asked = motion.dt
   const from = stateOf(motion)
   const stretches: Stretch[] = []
   const standings: Standing[] = []
@@ -150,10 +157,10 @@ function traceStep(motion: Motion, integrator: Integrator, rule: StoppingRule): 
       else if (motion.dt < asked) stretch.ends = 'cut'
     },
   }
-  advance(motion, watchedIntegrator, watchedRule)
+  advance(motion, watchedIntegrator, watchedRule, once)
   motion.observe(undefined)
   return {
-    ...{ takenBack: false, dt, from, to: stateOf(motion) },
+    ...{ takenBack: false, asked, dt: motion.dt, from, to: stateOf(motion) },
     ...{ stretches, standings, outcome: motion.outcome },
   }
 }

@@ -25,8 +25,7 @@ export function triesOf(experiment: Experiment): Tries {
     restored: () => {},
     judged: (isAccepted) => {
       begins.push(run.stateTime)
-      // The last step was the second half of the try.
-      lengths.push(2 * run.motion.dt)
+      lengths.push(run.tried)
       accepted.push(isAccepted)
     },
   }

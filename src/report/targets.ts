@@ -1,7 +1,7 @@
 import { integrators, scenes } from '../physics/index.ts'
 import { ours, engines } from './engines/index.ts'
 import type { FrameTime, Report, Target } from './schema/index.ts'
-import { metres } from './text/numbers.ts'
+import { inMetres } from './text/numbers.ts'
 
 type Measured = Pick<Report, 'frames' | 'engineTests' | 'frontiers'>
 type Found = Pick<Target, 'figure' | 'from'> | undefined
@@ -54,7 +54,7 @@ export function targets({ frames, engineTests, frontiers }: Measured): Target[] 
         target(
           [
             `odex-${cost}-${power}`,
-            `Half-pipe to ${metres(error)}: ${cost} of odex, divided by ours`,
+            `Half-pipe to ${inMetres(error)}: ${cost} of odex, divided by ours`,
           ],
           ['at least', 1],
           best && odex ? { figure: odex[cost] / best[cost], from: best.label } : undefined,

@@ -1,5 +1,5 @@
 import { clamp } from '../chart/geometry.ts'
-import type { Body } from './body.ts'
+import type { DrawnBody } from './body.ts'
 import { exactExtent } from './extent.ts'
 import type { Layout } from './layout.ts'
 import type { Picture, PictureRunner } from './picture.ts'
@@ -10,7 +10,7 @@ import type { End } from './timeline.ts'
 
 /** A block as it stands at the picture's time. */
 export interface Actor {
-  readonly body: Body
+  readonly body: DrawnBody
   /** Its distance from the start [m]. */
   readonly distance: number
   /** Where it is when the run is over, on the part of the track that is seen [m]. */
@@ -62,6 +62,6 @@ export function bodyAt(
   { scene }: Picture,
   { block }: Layout,
   projection: Projection,
-): Body {
+): DrawnBody {
   return { spot: projection.at(s), size: block, round: viewOf(scene).falls }
 }

@@ -4,7 +4,7 @@ import { markOf } from './marks.ts'
 import type { Spot } from './projection.ts'
 
 /** What slides, or falls: a block, or a ball, that touches the track at a spot. */
-export interface Body {
+export interface DrawnBody {
   readonly spot: Spot
   /** Its side, or its diameter [px]. */
   readonly size: number
@@ -12,17 +12,17 @@ export interface Body {
 }
 
 /** Its middle. In a bend a block stands on its two lower corners. */
-export function centre({ spot, size, round }: Body): Point {
+export function centre({ spot, size, round }: DrawnBody): Point {
   return moved(spot, spot.out, size / 2 + (round ? 0 : sag(spot.curvature, size / 2)))
 }
 
 /** The middle of its top. */
-export function top(body: Body): Point {
+export function top(body: DrawnBody): Point {
   return moved(centre(body), body.spot.out, body.size / 2)
 }
 
 /** The box around it. */
-export function boundsOf(body: Body): Box {
+export function boundsOf(body: DrawnBody): Box {
   const { x, y } = centre(body)
   const { turn } = body.spot
   const spread = body.round ? 1 : Math.abs(Math.cos(turn)) + Math.abs(Math.sin(turn))
@@ -40,7 +40,7 @@ function sag(curvature: number, half: number): number {
 /** The outline of a body around the origin, drawn in by so much. */
 const outlines = new Map<string, Path2D>()
 
-function outlineOf({ size, round }: Body, inset: number): Path2D {
+function outlineOf({ size, round }: DrawnBody, inset: number): Path2D {
   const half = size / 2 - inset
   const key = `${half} ${round}`
   let path = outlines.get(key)
@@ -55,7 +55,7 @@ function outlineOf({ size, round }: Body, inset: number): Path2D {
 }
 
 /** From here on, until the context is restored, the origin is the body's middle, and it stands upright. */
-function enter(context: CanvasRenderingContext2D, body: Body): void {
+function enter(context: CanvasRenderingContext2D, body: DrawnBody): void {
   const { x, y } = centre(body)
   context.save()
   context.translate(x, y)
@@ -65,7 +65,7 @@ function enter(context: CanvasRenderingContext2D, body: Body): void {
 /** Fills it in a runner's colour, with the runner's mark in the middle. */
 export function fillBody(
   context: CanvasRenderingContext2D,
-  body: Body,
+  body: DrawnBody,
   { paletteIndex, fill, mark }: { paletteIndex: number; fill: string; mark: string },
 ): void {
   const { globalAlpha } = context
@@ -86,7 +86,7 @@ export function fillBody(
 /** Draws only its outline. */
 export function strokeBody(
   context: CanvasRenderingContext2D,
-  body: Body,
+  body: DrawnBody,
   { colour, width, dash = [] }: { colour: string; width: number; dash?: number[] },
 ): void {
   context.strokeStyle = colour

@@ -3,7 +3,7 @@ import type { Point } from '../chart/geometry.ts'
 import { roundAbove, toStep } from '../chart/ticks.ts'
 import { bodyAt } from './actors.ts'
 import { centre } from './body.ts'
-import { changed, handleAt } from './handles.ts'
+import { withParameter, handleAt } from './handles.ts'
 import { heldCamera } from './layout.ts'
 import type { Layout } from './layout.ts'
 import type { HandleId, Picture } from './picture.ts'
@@ -33,7 +33,7 @@ function angleNear(to: Point, picture: Picture, layout: Layout): number {
     Array.from({ length: count + 1 }, (_, i) => min + i * ANGLE_STEP),
     to,
     (angle) => {
-      const tilted = changed(picture, 'angle', angle)
+      const tilted = withParameter(picture, 'angle', angle)
       const camera = heldCamera(layout, picture, tilted.parameters)
       return handleAt('tilt', tilted, { ...layout, camera })
     },

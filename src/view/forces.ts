@@ -4,7 +4,7 @@ import { write } from '../chart/text.ts'
 import type { Actor } from './actors.ts'
 import { drawArrow } from './arrows.ts'
 import { centre } from './body.ts'
-import type { Body } from './body.ts'
+import type { DrawnBody } from './body.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { ArrowId, Picture, PictureVector } from './picture.ts'
@@ -84,7 +84,7 @@ export function forceArrows(
   return arrows
 }
 
-function originOf({ id }: PictureVector, body: Body): Point {
+function originOf({ id }: PictureVector, body: DrawnBody): Point {
   return moved(centre(body), body.spot.out, (rails[id] * body.size) / 2)
 }
 

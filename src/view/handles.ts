@@ -34,7 +34,7 @@ export function handleAt(id: HandleId, picture: Picture, layout: Layout): Point 
 }
 
 /** The picture with one parameter changed. */
-export function changed(picture: Picture, name: string, value: number): Picture {
+export function withParameter(picture: Picture, name: string, value: number): Picture {
   const parameters: Parameters = { ...picture.parameters, [name]: value }
   return { ...picture, parameters }
 }

@@ -3,7 +3,7 @@ import { widthOf, write } from '../chart/text.ts'
 import { bodyAt } from './actors.ts'
 import type { Actor } from './actors.ts'
 import { strokeBody } from './body.ts'
-import type { Body } from './body.ts'
+import type { DrawnBody } from './body.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
 import type { Picture } from './picture.ts'
@@ -11,8 +11,8 @@ import type { Projection } from './projection.ts'
 
 /** A block as it is drawn, and the one that physics knows: a step ahead of it, or behind it. */
 interface Apart {
-  readonly drawn: Body
-  readonly physics: Body
+  readonly drawn: DrawnBody
+  readonly physics: DrawnBody
   readonly paletteIndex: number
 }
 
@@ -54,7 +54,7 @@ export function drawWords(
   palette: Palette,
 ): void {
   context.font = `${width < 480 ? 11 : 12}px ${palette.sans}`
-  const word = (text: string, { spot }: Body): Word => {
+  const word = (text: string, { spot }: DrawnBody): Word => {
     const half = widthOf(context, text) / 2
     const room = 8 + half * Math.abs(spot.out.x) + 5 * Math.abs(spot.out.y)
     const { x, y } = moved(spot, spot.out, vertical ? block + room : -lanes.depth - room)

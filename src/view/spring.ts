@@ -1,7 +1,7 @@
 import { around, moved } from '../chart/geometry.ts'
 import type { Box, Point } from '../chart/geometry.ts'
 import { widthOf, write } from '../chart/text.ts'
-import type { Body } from './body.ts'
+import type { DrawnBody } from './body.ts'
 import { drawnEnds } from './ground.ts'
 import type { Layout } from './layout.ts'
 import type { Palette } from './palette.ts'
@@ -15,7 +15,7 @@ const TURNS = 14
 /** The spring from its anchor up the slope to a block, and the place where it is slack. */
 export function drawSpring(
   context: CanvasRenderingContext2D,
-  { spot }: Body,
+  { spot }: DrawnBody,
   { scene }: Picture,
   layout: Layout,
   projection: Projection,

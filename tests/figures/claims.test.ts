@@ -4,7 +4,7 @@ import { breakIt } from '../../src/figures/breakIt.ts'
 import { chatter, turnsOf } from '../../src/figures/chatter.ts'
 import { stepsOf } from '../../src/figures/shared/readings.ts'
 import { initialValues, readValues } from '../../src/figures/shared/control.ts'
-import type { Values } from '../../src/figures/shared/control.ts'
+import type { ControlValues } from '../../src/figures/shared/control.ts'
 import { criticalAngle } from '../../src/figures/criticalAngle.ts'
 import { fallingBall } from '../../src/figures/fallingBall.ts'
 import type { Figure } from '../../src/figures/shared/figure.ts'
@@ -23,7 +23,7 @@ import { mechanicalEnergy, spreadOf } from '../../src/measure/index.ts'
 import { allCorrected, asPrinted, exact, simulate } from '../../src/physics/index.ts'
 
 /** A figure's runs, and what it says of them, after some values were set. */
-function set(figure: Figure, given: Record<string, unknown> = {}, before?: Values) {
+function set(figure: Figure, given: Record<string, unknown> = {}, before?: ControlValues) {
   const old = before ?? initialValues(figure.controls)
   const read = readValues(figure.controls, given, old)
   const values = figure.follow?.(read, old) ?? read

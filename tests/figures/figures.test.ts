@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
-import { initialValues, nearest, readValues } from '../../src/figures/shared/control.ts'
-import type { Control, Values } from '../../src/figures/shared/control.ts'
+import { initialValues, nearestChoice, readValues } from '../../src/figures/shared/control.ts'
+import type { Control, ControlValues } from '../../src/figures/shared/control.ts'
 import type { Figure } from '../../src/figures/shared/figure.ts'
 import { frameOf, heightOf, openingView } from '../../src/figures/shared/still.ts'
 import { figures } from '../../src/figures/index.ts'
@@ -8,13 +8,14 @@ import { parseExperiment, simulate } from '../../src/physics/index.ts'
 
 /** The values that a control's reader can reach which are most likely to go wrong. */
 function extremes(control: Control): readonly unknown[] {
-  if (control.type === 'number') return [control.from, control.to, nearest(control, Math.E / 10)]
+  if (control.type === 'number')
+    return [control.from, control.to, nearestChoice(control, Math.E / 10)]
   if (control.type === 'choice') return control.options.map(({ id }) => id)
   return control.type === 'switch' ? [true, false] : [[1 / 60], [0.5, 0.004]]
 }
 
 /** A figure's values with each control once at each of its extremes. */
-function variations({ controls, follow }: Figure): Values[] {
+function variations({ controls, follow }: Figure): ControlValues[] {
   const initial = initialValues(controls)
   return Object.entries(controls).flatMap(([name, control]) =>
     extremes(control).map((value) => {

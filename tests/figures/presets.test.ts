@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 import { initialValues } from '../../src/figures/shared/control.ts'
 import { figures } from '../../src/figures/index.ts'
 import { figurePresets } from '../../src/lab/presets/figures.ts'
-import { stateOf, together } from '../../src/lab/presets/hardCases.ts'
+import { stateOf, sideBySide } from '../../src/lab/presets/hardCases.ts'
 
 /** What a lab can't show: another step, the work of a whole sweep, and damping, which is no force of its scenes. */
 const NOT_THERE = ['paper-step', 'speed-against-error', 'coasting', 'following']
@@ -17,7 +17,7 @@ test.each(figurePresets)(
   async ({ figure, shown }) => {
     const { controls, experiments } = await figures.find(({ id }) => id === figure)!.load()
     // A lab has one mass for all of its blocks.
-    const [first] = together(experiments(initialValues(controls)))
+    const [first] = sideBySide(experiments(initialValues(controls)))
     expect(shown).toEqual({ state: stateOf(first!), problem: '' })
   },
 )

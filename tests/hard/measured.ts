@@ -4,7 +4,7 @@
  */
 import { expect, it } from 'vitest'
 import { hardCaseClaims } from '../../src/measure/hardCases/claims.ts'
-import { holds, nearness } from '../../src/measure/hardCases/hardCase.ts'
+import { isWithin, nearness } from '../../src/measure/hardCases/hardCase.ts'
 import type { Bound } from '../../src/measure/hardCases/hardCase.ts'
 import { hardCaseResults } from '../../src/measure/hardCases/results.ts'
 import type { Result, Results } from '../../src/measure/hardCases/results.ts'
@@ -39,7 +39,7 @@ export function measured(
     .map((word) => integrators.find(({ id }) => id === word)?.label ?? word)
     .join(', ')
   const figure = `${hardCase}, ${claim}: ${value} of ${words || 'the run'}`
-  expect(holds(value, bound), `${figure} is not ${JSON.stringify(bound)}`).toBe(true)
+  expect(isWithin(value, bound), `${figure} is not ${JSON.stringify(bound)}`).toBe(true)
   const ofCase = (results[hardCase] ??= {})
   const last = ofCase[claim]
   const runs = (last?.runs ?? 0) + 1

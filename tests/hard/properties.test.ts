@@ -67,7 +67,9 @@ function expectCounters(run: Trajectory): void {
   // on a belt is asked once whether it stays.
   const { least } = methodOf(experiment.integrator).evaluations
   const once = experiment.scene === 'belt' ? 1 : least
-  if (run.outcome.kind === 'moving') expect(evaluations).toBeGreaterThanOrEqual(once * steps)
+  // Half of the smallest number is 0, which is no step to try.
+  if (run.outcome.kind === 'moving' && last(run.time) > Number.MIN_VALUE)
+    expect(evaluations).toBeGreaterThanOrEqual(once * steps)
   // No time is lost silently. Whole steps of `fixed` may still be due, and `per-frame` goes by no clock.
   if (timestep.kind === 'per-frame') expect(lostTime).toBe(0)
   else if (run.outcome.kind === 'moving' || run.outcome.kind === 'at-rest') {

@@ -9,7 +9,7 @@ import {
   rateMap,
   rowsOf,
   stableRate,
-  valueAt,
+  rowValue,
 } from '../../src/measure/index.ts'
 import type { MapRequest } from '../../src/measure/index.ts'
 import { integrators, simulate } from '../../src/physics/index.ts'
@@ -50,7 +50,7 @@ describe('a map', () => {
           const experiment = mappedExperiment(asked, column, row)
           expect(experiment.frames).toEqual({ kind: 'steady', fps: rateAt(asked, column) })
           expect(experiment.parameters).toMatchObject({
-            angle: valueAt(asked, row),
+            angle: rowValue(asked, row),
             muKinetic: 0.5,
           })
           const run = simulate(experiment)
@@ -88,7 +88,7 @@ describe('a map', () => {
     expect(rates[0]).toBeCloseTo(5 * 48 ** (0.5 / 20), 1)
     expect(rates.at(-1)).toBeLessThan(240)
     for (const rate of rates) expect(String(rate).length).toBeLessThanOrEqual(4)
-    expect(valueAt(request, 0)).toBe(1.765)
+    expect(rowValue(request, 0)).toBe(1.765)
   })
 
   it('of the spread holds no run on the track against one that left it', () => {

@@ -25,7 +25,7 @@ describe('a run is given up', () => {
       timestep: { kind: 'tolerance', tolerance: 1e-9 },
     }
     const whole = simulate({ ...experiment, duration: 1 })
-    limited.toTolerance = { evaluations: whole.evaluations, evaluationsAFrame: 0 }
+    limited.toTolerance = { evaluationsAnOrder: whole.evaluations / 2, evaluationsAFrame: 0 }
     try {
       const run = simulate(experiment)
       expect(run.outcome.kind).toBe('diverged')
@@ -47,7 +47,7 @@ describe('a run is given up', () => {
     }
     const whole = simulate(experiment)
     expect(whole.outcome.kind).toBe('left-the-track')
-    limited.toTolerance = { evaluations: whole.evaluations - 1, evaluationsAFrame: 0 }
+    limited.toTolerance = { evaluationsAnOrder: (whole.evaluations - 1) / 2, evaluationsAFrame: 0 }
     try {
       expect(simulate(experiment).outcome).toEqual(whole.outcome)
     } finally {

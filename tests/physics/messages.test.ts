@@ -1,7 +1,7 @@
 /** What is told to somebody whose experiment can't be run. */
 import { describe, expect, it } from 'vitest'
 import { ExperimentError, frameClocks, parseExperiment, scenes } from '../../src/physics/index.ts'
-import { nearest, shorten, show } from '../../src/physics/problems.ts'
+import { nearestName, shorten, show } from '../../src/physics/problems.ts'
 
 /** The whole message that a value is refused with; empty for one that is taken. */
 function message(value: unknown): string {
@@ -207,11 +207,11 @@ describe('the nearest name', () => {
     ['abcx', ['abcy', 'abcd'], 'abcy'],
     ['', ['ab', 'abc'], 'ab'],
   ])('to %j among %j is %j', (written, known, expected) => {
-    expect(nearest(written, known)).toBe(expected)
+    expect(nearestName(written, known)).toBe(expected)
   })
 
   it('is not looked for where what was written is longer than a name', () => {
-    expect(nearest('x'.repeat(40), ['x'.repeat(39)])).toBe('x'.repeat(39))
-    expect(nearest('x'.repeat(41), ['x'.repeat(40)])).toBeUndefined()
+    expect(nearestName('x'.repeat(40), ['x'.repeat(39)])).toBe('x'.repeat(39))
+    expect(nearestName('x'.repeat(41), ['x'.repeat(40)])).toBeUndefined()
   })
 })

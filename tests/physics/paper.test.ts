@@ -6,7 +6,7 @@ import {
   paperStep,
   simulate,
 } from '../../src/physics/index.ts'
-import type { Body, Corrections, Surface } from '../../src/physics/index.ts'
+import type { PaperBody, Corrections, Surface } from '../../src/physics/index.ts'
 import { dot, length } from '../../src/physics/vector.ts'
 
 const DT = 1 / 60
@@ -29,8 +29,8 @@ function slope(
 
 type Slope = ReturnType<typeof slope>
 
-function run(on: Slope, speed: number, seconds: number, how: Corrections, dt = DT): Body[] {
-  let body: Body = { r: { x: 0, y: 0 }, v: { x: speed * on.along.x, y: speed * on.along.y } }
+function run(on: Slope, speed: number, seconds: number, how: Corrections, dt = DT): PaperBody[] {
+  let body: PaperBody = { r: { x: 0, y: 0 }, v: { x: speed * on.along.x, y: speed * on.along.y } }
   const bodies = [body]
   for (let i = 0; i < Math.round(seconds / dt); i++)
     bodies.push((body = paperStep(body, on, dt, how)))
@@ -151,7 +151,7 @@ describe('the paper’s step', () => {
       muKinetic: 0.5,
       muStatic,
     })
-    const still: Body = { r: { x: 0, y: 0 }, v: { x: 0, y: 0 } }
+    const still: PaperBody = { r: { x: 0, y: 0 }, v: { x: 0, y: 0 } }
     expect(paperStep(still, flat(0.75), DT, allCorrected).v.x).toBe(0)
     expect(paperStep(still, flat(0.7499999), DT, allCorrected).v.x).toBeGreaterThan(0)
   })

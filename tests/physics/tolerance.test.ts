@@ -101,6 +101,46 @@ describe.each(scenes)('$id', ({ id: scene }) => {
   })
 })
 
+describe('a try shares no part with what it is compared with', () => {
+  // So near to an event, the frame's first step ends almost before it has begun, and the next one is all the rest.
+  const before = [0, 1e-18, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3]
+  const onto = { angle: 40, length: 0.5, bendRadius: 2, muStatic: 0.3, muKinetic: 0.3 }
+  const over = { angle: 1, crestRadius: 2, muStatic: 0.3, muKinetic: 0.13, speed: 0.6 }
+  const starts: Record<string, (distance: number) => Experiment> = {
+    'a bend': (distance) => ({
+      ...{ scene: 'run-out', parameters: { ...onto, position: 0.5 - distance, speed: 1 } },
+    }),
+    'a crest': (distance) => ({ scene: 'crest', parameters: { ...over, position: -distance } }),
+    'a turn on a slope, and then a bend': (distance) => ({
+      ...{ scene: 'run-out', parameters: { ...onto, position: 0.45, speed: -distance } },
+    }),
+    'a turn in a half-pipe': (distance) => ({
+      ...{ scene: 'half-pipe', parameters: { position: 1.5, speed: distance } },
+    }),
+    'a turn on a spring': (distance) => ({
+      ...{ scene: 'spring', parameters: { position: 1.5, speed: distance } },
+    }),
+    'a slip on a belt': (distance) => ({
+      ...{ scene: 'belt', parameters: { position: -1, speed: 0.5 - distance } },
+    }),
+  }
+
+  it.each(Object.entries(starts))('just before %s', (_, start) => {
+    const tolerance = 1e-8
+    for (const integrator of methods)
+      for (const distance of before) {
+        const given = { ...start(distance), integrator, duration: 0.8 } as const
+        const frames = { kind: 'steady', fps: 2.5 } as const
+        const run = simulate({ ...given, frames, timestep: { kind: 'tolerance', tolerance } })
+        // Less than a second of it, at a condition of ten.
+        expect(
+          Math.abs(last(run.s) - exact(given, 0.8).s),
+          `${integrator}, ${String(distance)}`,
+        ).toBeLessThan(10 * tolerance)
+      }
+  })
+})
+
 describe('the policy', () => {
   const pipe: Experiment = { scene: 'half-pipe', integrator: 'rk8', duration: 1 }
   const timestep = { kind: 'tolerance', tolerance: 1e-9 } as const

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import { engines } from '../../src/report/engines/index.ts'
-import type { Block, Slope } from '../../src/report/engines/index.ts'
+import type { EngineBlock, EngineSlope } from '../../src/report/engines/index.ts'
 import { frictionOf } from '../../src/report/engines/measure.ts'
 import { runOurs, runEngine } from '../../src/report/engines/run.ts'
 import { engineClocks, engineScenes } from '../../src/report/engines/scenes.ts'
@@ -12,7 +12,7 @@ const gravity = 9.81
 const SINGLE = 1000 * 10 * 2 ** -24
 
 describe.each(engines)('$id is set up as it says', (engine) => {
-  let make: (slope: Slope) => Block
+  let make: (slope: EngineSlope) => EngineBlock
   beforeAll(async () => {
     make = await engine.load()
   })

@@ -3,7 +3,7 @@ import { bytesOf } from '../../src/report/timing/bytes.ts'
 import { median, ratioOf, timeRounds, timingOf } from '../../src/report/timing/rounds.ts'
 import { notes } from '../../src/report/engines/run.ts'
 import { engineScenes } from '../../src/report/engines/scenes.ts'
-import { eachInMetres, metres, nanoseconds, plain } from '../../src/report/text/numbers.ts'
+import { eachInMetres, inMetres, nanoseconds, plainNumber } from '../../src/report/text/numbers.ts'
 
 describe('rounds', () => {
   it('are as many as asked for, of each work, prepared before each run', () => {
@@ -46,23 +46,23 @@ it('bytes are counted: a boxed number for each unit, and none for none', () => {
 })
 
 it('figures are given with three digits at most', () => {
-  expect(metres(0.32146)).toBe('0.32 m')
-  expect(metres(-0.0537)).toBe('53.7 mm')
-  expect(metres(0)).toBe('0')
-  expect(metres(null)).toBe('no number')
-  expect(metres(8.88e-16)).toBe('0 (to rounding)')
-  expect(metres(1e-8)).toBe('10 nm')
-  expect(metres(1e-6)).toBe('1 µm')
+  expect(inMetres(0.32146)).toBe('0.32 m')
+  expect(inMetres(-0.0537)).toBe('53.7 mm')
+  expect(inMetres(0)).toBe('0')
+  expect(inMetres(null)).toBe('no number')
+  expect(inMetres(8.88e-16)).toBe('0 (to rounding)')
+  expect(inMetres(1e-8)).toBe('10 nm')
+  expect(inMetres(1e-6)).toBe('1 µm')
   expect(eachInMetres([0, 0])).toBe('0')
   expect(eachInMetres([0, 1e-15])).toBe('0 (to rounding)')
   expect(eachInMetres([0, 0.5, null])).toBe('0, 0.5 m, no number')
   expect(nanoseconds(5.123)).toBe('5.1 ns')
   expect(nanoseconds(12345)).toBe('12.3 µs')
   expect(nanoseconds(4.5e6)).toBe('4.5 ms')
-  expect(plain(14062)).toBe('14\u202f062')
-  expect(plain(2.2e12)).toBe('2.2 × 10¹²')
-  expect(plain(-2e-5)).toBe('-2 × 10⁻⁵')
-  expect(plain(0.125)).toBe('0.13')
+  expect(plainNumber(14062)).toBe('14\u202f062')
+  expect(plainNumber(2.2e12)).toBe('2.2 × 10¹²')
+  expect(plainNumber(-2e-5)).toBe('-2 × 10⁻⁵')
+  expect(plainNumber(0.125)).toBe('0.13')
 })
 
 it('what is odd about a run is said with its numbers', () => {

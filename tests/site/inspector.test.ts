@@ -176,12 +176,15 @@ test.each(
 )(
   'axe finds nothing in the %s theme, and nothing sticks out at %d px',
   async (colorScheme, width) => {
-    for (const address of [
-      LOCATED,
-      'scene=half-pipe&muKinetic=0.2&muStatic=0.3&runners=10/rk4/fixed(step:1/60)',
-      'runners=10/implicit-midpoint/naive',
-      'scene=spring&runners=10/yoshida4',
-    ]) {
+    for (const address of some(
+      [
+        LOCATED,
+        'scene=half-pipe&muKinetic=0.2&muStatic=0.3&runners=10/rk4/fixed(step:1/60)',
+        'runners=10/implicit-midpoint/naive',
+        'scene=spring&runners=10/yoshida4',
+      ],
+      ...[0, 1],
+    )) {
       const { inspector, press, page, frame, problems } = await openInspector(address, {
         colorScheme,
         width,

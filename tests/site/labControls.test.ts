@@ -1,40 +1,46 @@
 import { describe, expect, test } from 'vitest'
 import { frameClocks, integrators, scenes, stoppings, timesteps } from '../../src/physics/index.ts'
-import type { Option } from '../../src/physics/index.ts'
+import type { Options } from '../../src/physics/index.ts'
 import { modes } from '../../src/lab/state/modes.ts'
 import { openingOf } from '../../src/lab/state/opening.ts'
 import { openLab } from './labPage.ts'
 import type { Picture } from './picture.ts'
 
 describe('a runner', () => {
-  test.each([
-    ['Integrator', integrators, 'integrator'],
-    ['Stopping', stoppings, 'stopping'],
-    ['Time step', timesteps, 'timestep'],
-    ['Frames', frameClocks, 'frames'],
-  ] as const)('takes every entry of the menu %s', async (label, list, key) => {
+  test('takes every entry of its menus', async () => {
     const { page, state, runner, problems } = await openLab()
-    const menu = runner(1).getByLabel(`${label}, `).first()
-    expect(await menu.locator('option').allInnerTexts()).toEqual(list.map((entry) => entry.label))
-    for (const { id, about } of list) {
-      await menu.selectOption(id)
-      const chosen = (await state()).runners[1]![key]
-      expect(typeof chosen === 'string' ? chosen : chosen.kind).toBe(id)
-      expect(await menu.getAttribute('title')).toBe(about)
-      expect(await page.locator('.notes').innerText()).toContain(about)
+    for (const [label, list, key] of [
+      ['Integrator', integrators, 'integrator'],
+      ['Stopping', stoppings, 'stopping'],
+      ['Time step', timesteps, 'timestep'],
+      ['Frames', frameClocks, 'frames'],
+    ] as const) {
+      const menu = runner(1).getByLabel(`${label}, `).first()
+      expect(await menu.locator('option').allInnerTexts()).toEqual(list.map((entry) => entry.label))
+      for (const { id, about } of list) {
+        await menu.selectOption(id)
+        const chosen = (await state()).runners[1]![key]
+        expect(typeof chosen === 'string' ? chosen : chosen.kind).toBe(id)
+        expect(await menu.getAttribute('title')).toBe(about)
+        expect(await page.locator('.notes').innerText()).toContain(about)
+      }
     }
     expect((await state()).runners[0]).toEqual(openingOf('ramp').runners[0])
     expect(problems).toEqual([])
   })
 
-  test.each([
-    ...timesteps.map(({ id, options }) => ['Time step', 'timestep', id, options] as const),
-    ...frameClocks.map(({ id, options }) => ['Frames', 'frames', id, options] as const),
-  ])('whose %s (%s) is %s has a field for every option', async (label, key, id, options) => {
+  test('has a field for every option of its time step and its frames', async () => {
     const { state, runner } = await openLab()
-    await runner(0).getByLabel(`${label}, `).selectOption(id)
-    const entries: [string, Option][] = Object.entries(options)
-    for (const [name, option] of entries) {
+    const all = [
+      ...timesteps.map(({ id, options }) => ['Time step', 'timestep', id, options] as const),
+      ...frameClocks.map(({ id, options }) => ['Frames', 'frames', id, options] as const),
+    ].flatMap(([label, key, id, options]) =>
+      Object.entries(options as Options).map(([name, option]) => {
+        return { label, key, id, name, option }
+      }),
+    )
+    for (const { label, key, id, name, option } of all) {
+      await runner(0).getByLabel(`${label}, `).selectOption(id)
       const its = { name: new RegExp(`^${option.label}( \\[s\\])?, `) }
       if (option.type === 'choice') {
         for (const choice of option.choices) {

@@ -1,5 +1,5 @@
 import type { Page } from 'playwright-core'
-import type { Drawing } from '../../src/panels/plots/curves.ts'
+import type { PlotDrawing } from '../../src/panels/plots/curves.ts'
 import { boxOf } from '../../src/panels/plots/chart.ts'
 import { openLab } from './labPage.ts'
 
@@ -21,7 +21,7 @@ export async function openPlots(address = '', options: Parameters<typeof openLab
         (id) =>
           (
             document.querySelector(`slide-lab-plot[data-plot=${id}]`) as unknown as {
-              drawing: { curves: Drawing['curves'] }
+              drawing: { curves: PlotDrawing['curves'] }
             }
           ).drawing.curves,
         id,

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { opening } from '../../src/lab/state/opening.ts'
-import { mappedExperiment, presentationErrors, rateAt, valueAt } from '../../src/measure/index.ts'
+import { mappedExperiment, presentationErrors, rateAt, rowValue } from '../../src/measure/index.ts'
 import type { MapRequest } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'
 import { ENGINES, openMeasures, press } from './measurePage.ts'
@@ -40,7 +40,7 @@ describe('the frame-rate map', () => {
       canvas.x + ((40 + 0.5) / 160) * canvas.width,
       canvas.y + canvas.height - ((90 + 0.5) / 120) * canvas.height,
     )
-    await expect.poll(async () => (await lab.state()).parameters.angle).toBe(valueAt(request, 90))
+    await expect.poll(async () => (await lab.state()).parameters.angle).toBe(rowValue(request, 90))
     expect((await lab.state()).runners[0]!.frames).toEqual({
       kind: 'steady',
       fps: rateAt(request, 40),

@@ -4,7 +4,7 @@ import type { Experiment } from '../../src/physics/index.ts'
 import { bodyAt } from '../../src/view/actors.ts'
 import { boundsOf } from '../../src/view/body.ts'
 import { dragged } from '../../src/view/drag.ts'
-import { changed, handleAt, handlesOf } from '../../src/view/handles.ts'
+import { withParameter, handleAt, handlesOf } from '../../src/view/handles.ts'
 import { held, layOut } from '../../src/view/layout.ts'
 import { Projection } from '../../src/view/projection.ts'
 import { pictureOf } from './pictures.ts'
@@ -59,7 +59,7 @@ describe.each(experiments)('$scene $parameters', (experiment) => {
     const layout = layOut(picture, 720, 420)
     for (const { id, x, y, parameter } of handlesOf(picture, layout)) {
       const value = dragged(id, { x, y }, picture, layout)[parameter]!
-      const after = handleAt(id, changed(picture, parameter, value), layout)
+      const after = handleAt(id, withParameter(picture, parameter, value), layout)
       expect(Math.hypot(after.x - x, after.y - y)).toBeLessThan(5)
     }
   })

@@ -8,14 +8,14 @@ import type {
   NumberControl,
   SwitchControl,
   Value,
-  Values,
+  ControlValues,
 } from '../shared/control.ts'
 import type { Figure } from '../shared/figure.ts'
 
 /** What controls are made from. */
 interface Controlled {
   readonly figure: Figure
-  readonly values: Values
+  readonly values: ControlValues
   readonly set: (values: Readonly<Record<string, unknown>>) => void
   readonly may: (control: string) => boolean
 }

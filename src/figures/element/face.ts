@@ -5,14 +5,14 @@ import { fixed, raw } from '../../chart/numbers.ts'
 import { icon } from '../../ui/icons.ts'
 import { atNow, movedAtNow } from '../../lab/playback/atNow.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
-import type { Values } from '../shared/control.ts'
+import type { ControlValues } from '../shared/control.ts'
 import type { Figure, View } from '../shared/figure.ts'
 import { controlsOf } from './controls.ts'
 
 /** What a live figure is made from. */
 export interface Face {
   readonly figure: Figure
-  readonly values: Values
+  readonly values: ControlValues
   readonly runs: readonly Trajectory[]
   readonly playback: Playback
   readonly spoken: string

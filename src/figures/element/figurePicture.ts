@@ -6,7 +6,7 @@ import { PaletteReader } from '../../view/palette.ts'
 import { pointIn, valueByKey } from '../../ui/input.ts'
 import { onRestyle } from '../../ui/theme.ts'
 import type { Playback } from '../../lab/playback/playback.ts'
-import type { Controls, NumberControl, Values } from '../shared/control.ts'
+import type { Controls, NumberControl, ControlValues } from '../shared/control.ts'
 import type { Grip, Panel, View } from '../shared/figure.ts'
 import { quantityText } from './controls.ts'
 
@@ -31,7 +31,7 @@ class FigurePicture extends LitElement {
   }
 
   declare panel: Panel
-  declare values: Values
+  declare values: ControlValues
   declare description: string
   /** Of the view: it is drawn anew when this changes. */
   declare highlighted: string | undefined

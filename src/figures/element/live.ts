@@ -1,5 +1,5 @@
 import { initialValues, readValues } from '../shared/control.ts'
-import type { Values } from '../shared/control.ts'
+import type { ControlValues } from '../shared/control.ts'
 import type { Figure } from '../shared/figure.ts'
 import { frameOf } from '../shared/still.ts'
 import { face } from './face.ts'
@@ -18,7 +18,11 @@ export const live = {
     return Object.assign(document.createElement(hosted.tag), hosted.properties)
   },
   /** The values after a change. */
-  follow(figure: Figure, given: Readonly<Record<string, unknown>>, before: Values): Values {
+  follow(
+    figure: Figure,
+    given: Readonly<Record<string, unknown>>,
+    before: ControlValues,
+  ): ControlValues {
     const values = readValues(figure.controls, given, before)
     return figure.follow?.(values, before) ?? values
   },

@@ -5,7 +5,7 @@ import { onNear } from '../../ui/visibility.ts'
 import { Playback } from '../../lab/playback/playback.ts'
 import { RunCache } from '../../lab/state/runCache.ts'
 import { figures } from '../index.ts'
-import type { Values } from '../shared/control.ts'
+import type { ControlValues } from '../shared/control.ts'
 import type { Figure } from '../shared/figure.ts'
 import type { Live } from './live.ts'
 
@@ -36,7 +36,7 @@ export class SlideFigure extends LitElement {
   declare name: string
   declare lit: string | undefined
   /** What is shown; undefined until it is alive. */
-  declare view: { readonly values: Values; readonly runs: readonly Trajectory[] } | undefined
+  declare view: { readonly values: ControlValues; readonly runs: readonly Trajectory[] } | undefined
   /** The outcome as it was when all last came to rest. */
   declare spoken: string
   readonly playback = new Playback(this)
@@ -55,7 +55,7 @@ export class SlideFigure extends LitElement {
     this.playback.subscribe(this, 'write', () => this.tellLater())
   }
 
-  get values(): Values {
+  get values(): ControlValues {
     return this.view?.values ?? {}
   }
 
@@ -163,7 +163,7 @@ export class SlideFigure extends LitElement {
     if (Object.keys(asked).length > 0) this.set(asked)
   }
 
-  private show(values: Values): void {
+  private show(values: ControlValues): void {
     this.view = { values, runs: this.cache.run(this.figure!.experiments(values)) }
   }
 

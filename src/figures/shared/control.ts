@@ -50,10 +50,10 @@ export interface FramesControl {
 export type Control = NumberControl | ChoiceControl | SwitchControl | FramesControl
 export type Controls = Readonly<Record<string, Control>>
 export type Value = number | string | boolean | readonly number[]
-export type Values = Readonly<Record<string, Value>>
+export type ControlValues = Readonly<Record<string, Value>>
 
 /** The values that controls begin with. */
-export function initialValues(controls: Controls): Values {
+export function initialValues(controls: Controls): ControlValues {
   return Object.fromEntries(Object.entries(controls).map(([name, { initial }]) => [name, initial]))
 }
 
@@ -66,8 +66,8 @@ export function initialValues(controls: Controls): Values {
 export function readValues(
   controls: Controls,
   given: Readonly<Record<string, unknown>>,
-  before: Values = initialValues(controls),
-): Values {
+  before: ControlValues = initialValues(controls),
+): ControlValues {
   const read = Object.entries(given).map(([name, value]): [string, Value] => {
     const control = Object.hasOwn(controls, name) ? controls[name] : undefined
     if (!control) {
@@ -93,7 +93,7 @@ function readValue(control: Control, value: unknown): Value | undefined {
   if (control.type === 'number') {
     const number = typeof value === 'string' && value.trim() !== '' ? Number(value) : value
     return typeof number === 'number' && Number.isFinite(number)
-      ? nearest(control, number)
+      ? nearestChoice(control, number)
       : undefined
   }
   if (control.type === 'choice') return control.options.find(({ id }) => id === value)?.id
@@ -104,7 +104,7 @@ function readValue(control: Control, value: unknown): Value | undefined {
 }
 
 /** The number of a slider that is nearest to another, as its shortest decimal. */
-export function nearest({ from, to, step }: NumberControl, value: number): number {
+export function nearestChoice({ from, to, step }: NumberControl, value: number): number {
   const whole = from + Math.round((value - from) / step) * step
   return Math.min(to, Math.max(from, Number(whole.toPrecision(12)))) + 0
 }

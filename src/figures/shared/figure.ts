@@ -1,7 +1,7 @@
 import type { Experiment, Trajectory } from '../../physics/index.ts'
 import type { Point } from '../../chart/geometry.ts'
 import type { Palette } from '../../view/palette.ts'
-import type { Control, Controls, Values } from './control.ts'
+import type { Control, Controls, ControlValues } from './control.ts'
 
 /** What a picture is drawn on: a canvas in the page, or at build time something that writes an SVG. */
 export interface DrawingSurface {
@@ -13,7 +13,7 @@ export interface DrawingSurface {
 }
 
 /** All that a figure shows. */
-export interface View<V = Values> {
+export interface View<V = ControlValues> {
   readonly values: V
   /** Of each of the figure's experiments, in their order. */
   readonly runs: readonly Trajectory[]
@@ -32,7 +32,7 @@ export interface Grip extends Point {
 }
 
 /** One picture of a figure; several stand one under the other. */
-export interface Panel<V = Values> {
+export interface Panel<V = ControlValues> {
   /** Its height as a part of its width, in a wide column and in a narrow one. */
   readonly shape: { readonly wide: number; readonly narrow: number }
   /** Draws all of it, from the surface's own colour up. Equal views on equal surfaces give equal pictures. */
@@ -41,7 +41,7 @@ export interface Panel<V = Values> {
 }
 
 /** A number under the picture. */
-export interface Reading {
+export interface FigureReading {
   readonly label: string
   readonly text: string
   /** The same with every digit. */
@@ -51,7 +51,7 @@ export interface Reading {
 }
 
 /** A live figure of the tutorial: plain data and pure functions. */
-export interface Figure<V = Values> {
+export interface Figure<V = ControlValues> {
   readonly id: string
   readonly title: string
   /** What there is to see, for those who can't. */
@@ -62,7 +62,7 @@ export interface Figure<V = Values> {
   readonly panels: readonly Panel<V>[]
   /** The outcome, in a sentence or two. */
   says(values: V, runs: readonly Trajectory[], time: number): string
-  readings?(values: V, runs: readonly Trajectory[], time: number): readonly Reading[]
+  readings?(values: V, runs: readonly Trajectory[], time: number): readonly FigureReading[]
   /** It can be played, for so long [s]; 0 while there is nothing to play. */
   duration?(values: V): number
   /** It opens at the start of its time, not at the end. */

@@ -41,7 +41,7 @@ export function presetsOf(
   { label, watch, experiments, refused }: HardCase,
   group: string,
 ): Preset[] {
-  const parts = together(experiments)
+  const parts = sideBySide(experiments)
   const names = parts.map(([first]) => distinction(first!, parts))
   const areNames = names.every((name, i) => name && names.indexOf(name) === i)
   return parts.map((part, i) => {
@@ -80,7 +80,7 @@ function distinction(experiment: Experiment, parts: readonly Experiment[][]): st
  * Experiments as far as they can be shown side by side: those that share scene, parameters and duration are together,
  * in the order in which they come. One that can't be run is alone.
  */
-export function together(experiments: readonly Experiment[]): Experiment[][] {
+export function sideBySide(experiments: readonly Experiment[]): Experiment[][] {
   const groups = new Map<string, Experiment[]>()
   for (const experiment of experiments) {
     const { scene, parameters, duration } = experiment

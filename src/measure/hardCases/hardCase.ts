@@ -42,7 +42,7 @@ export interface Bound {
 }
 
 /** Whether a value is within its bound; NaN never is. */
-export function holds(value: number, { atMost, atLeast, above }: Bound): boolean {
+export function isWithin(value: number, { atMost, atLeast, above }: Bound): boolean {
   return (
     !Number.isNaN(value) &&
     !(atMost !== undefined && value > atMost) &&

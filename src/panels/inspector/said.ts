@@ -16,7 +16,7 @@ export function textOf(said: Said): string {
 }
 
 /** “1 step”, “6 steps”. */
-export function count(number: number, what: string, several = `${what}s`): string {
+export function counted(number: number, what: string, several = `${what}s`): string {
   return `${number} ${number === 1 ? what : several}`
 }
 

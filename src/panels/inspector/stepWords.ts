@@ -5,8 +5,9 @@ import type {
   Stretch,
   Trajectory,
 } from '../../physics/index.ts'
+import { roughSize } from '../../chart/magnitudes.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
-import { count, say } from './said.ts'
+import { counted, say } from './said.ts'
 import type { Said } from './said.ts'
 import { triesIn } from './tries.ts'
 
@@ -28,7 +29,7 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
   if (timestep.kind === 'tolerance') return toleranceWords(timestep.tolerance, steps)
   const ends = outcome.kind !== 'moving' && outcome.kind !== 'at-rest' && row === run.frames
   if (ends && steps.length > 0)
-    return say`${count(steps.length, 'step')} of ${steps[0]!.dt} s, until the run ended.`
+    return say`${counted(steps.length, 'step')} of ${steps[0]!.dt} s, until the run ended.`
   switch (timestep.kind) {
     case 'per-frame':
       return say`One step of ${timestep.step} s, however long the frame was.`
@@ -43,7 +44,7 @@ export function policyWords(run: Trajectory, row: number, steps: readonly Policy
       if (length === undefined)
         return say`Equal parts of the frame, none longer than ${timestep.step} s.`
       const time = Math.min(lasts, rounded(timestep.step * timestep.maxSteps))
-      const parts = count(Math.round(time / length), 'equal part')
+      const parts = counted(Math.round(time / length), 'equal part')
       return [
         ...say`${time} s → ${parts} of ${length} s, none longer than ${timestep.step} s.`,
         ...(time < lasts ? say` The other ${rounded(lasts - time)} s of the frame is lost.` : []),
@@ -60,7 +61,7 @@ function toleranceWords(tolerance: number, steps: readonly PolicyStep[]): Said {
   const refused = tries.filter(({ attempt }) => !attempt.accepted).length
   const kept = tries.length - refused
   const taken = refused === 0 ? '' : `, ${refused === 1 ? 'one is' : `${refused} are`} taken back`
-  return say`An error of ${tolerance} m is allowed in each second: ${kept === 1 ? '1 try is' : `${kept} tries are`} kept${taken}.`
+  return say`An error of ${roughSize(tolerance)} is allowed in each second: ${kept === 1 ? '1 try is' : `${kept} tries are`} kept${taken}.`
 }
 
 /** What the accumulator held, what the frame paid in, and what was dropped: by the cap, and in whole steps. */
@@ -70,13 +71,13 @@ function fixedWords(run: Trajectory, row: number, step: number, cap: number): Sa
   const cut = Math.max(0, rounded(lasts - cap))
   const dropped = Math.round((lost[row]! - lost[row - 1]! - cut) / step)
   const taken = Math.round((run.stateTime[row]! - run.stateTime[row - 1]!) / step)
-  const steps = count(taken, 'fixed step')
+  const steps = counted(taken, 'fixed step')
   return [
     ...say`${rounded(accumulator[row - 1]!)} s in the accumulator + ${rounded(lasts - cut)} s → ${steps} of ${step} s, `,
     ...say`${rounded(accumulator[row]!)} s left in the accumulator.`,
     ...(cut > 0 ? say` The frame exceeds the cap: ${cut} s is lost.` : []),
     ...(dropped > 0
-      ? say` ${count(dropped, 'step')} more would have been due: ${rounded(dropped * step)} s is lost.`
+      ? say` ${counted(dropped, 'step')} more would have been due: ${rounded(dropped * step)} s is lost.`
       : []),
   ]
 }
@@ -102,7 +103,7 @@ export function wordsAfter(
   if (experiment.stopping === 'located') {
     const ends = stretch.begins + kept.dt
     const tries = stretch.tries.length
-    const when = say`after ${ends} s of ${step.dt} s${tries > 1 ? `, found in ${count(tries, 'try', 'tries')}` : ''}`
+    const when = say`after ${ends} s of ${step.asked} s${tries > 1 ? `, found in ${counted(tries, 'try', 'tries')}` : ''}`
     if (stretch.ends === 'stop') {
       const standing = step.standings.find(({ begins }) => begins === ends)
       const then = standing

@@ -49,7 +49,7 @@ const ROW = 15
 const LABEL = 17
 
 /** Lays the curves, and the runners of a lab among them, out in a picture of that size. */
-export function layOut(
+export function layOutDiagram(
   curves: readonly DiagramCurve[],
   { width, height }: Pick<DiagramLayout, 'width' | 'height'>,
   runners: readonly DiagramPoint[] = [],
@@ -122,7 +122,7 @@ export function layOut(
 export function nearestSpot(layout: DiagramLayout, x: number, y: number): DiagramSpot | undefined {
   let nearest: DiagramSpot | undefined
   let least = 28
-  for (const spot of rowsOf(layout).flat()) {
+  for (const spot of spotRows(layout).flat()) {
     const distance = Math.sqrt((spot.x - x) ** 2 + (spot.y - y) ** 2)
     if (distance < least) {
       least = distance
@@ -133,7 +133,7 @@ export function nearestSpot(layout: DiagramLayout, x: number, y: number): Diagra
 }
 
 /** All spots as they are gone along: curve by curve, and then the runners of the lab. */
-export function rowsOf({ drawn, rings }: DiagramLayout): (readonly DiagramSpot[])[] {
+export function spotRows({ drawn, rings }: DiagramLayout): (readonly DiagramSpot[])[] {
   return [...drawn.map(({ spots }) => spots), ...(rings.length > 0 ? [rings] : [])]
 }
 

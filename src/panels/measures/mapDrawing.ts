@@ -89,7 +89,7 @@ function scales(
 }
 
 /** The place of a frame rate and a parameter's value in a map, if it is there. */
-export function placeOf(request: MapRequest, fps: number, value: number): MapPlace | undefined {
+export function mapPlaceOf(request: MapRequest, fps: number, value: number): MapPlace | undefined {
   const { columns, rows } = request
   const { x, y } = scales(request, { left: 0, right: columns, top: rows, bottom: 0 })
   const column = x(fps) - 0.5

@@ -5,7 +5,7 @@ import {
   rateAt,
   REFERENCE_RATE,
   stableRate,
-  valueAt,
+  rowValue,
 } from '../../measure/index.ts'
 import type { MapRequest } from '../../measure/index.ts'
 import { decadeText, roughSize } from '../../chart/magnitudes.ts'
@@ -25,7 +25,7 @@ function valueText({ label, unit }: NumberOption, value: number): string {
 
 /** “24.1 fps, angle 15.2°”. */
 export function placeText(request: MapRequest, column: number, row: number): string {
-  const place = valueText(mappedOption(request), valueAt(request, row)).toLowerCase()
+  const place = valueText(mappedOption(request), rowValue(request, row)).toLowerCase()
   return `${plain(rateAt(request, column))} fps, ${keepUnits(request, place)}`
 }
 
@@ -132,7 +132,7 @@ export function mapTable(cells: MapCells) {
         ${rows.map(
           (row) =>
             html`<tr>
-              <th scope="row">${valueText(option, valueAt(request, row))}</th>
+              <th scope="row">${valueText(option, rowValue(request, row))}</th>
               ${columns.map((column) => {
                 const cell = cells.cell(column, row)
                 const text =

@@ -9,7 +9,7 @@ import type { Measured } from './loading.ts'
 import { MapCells } from './mapCells.ts'
 import { mapLegend, isDark, keepPainted } from './mapImage.ts'
 import { mapControls, mapRequest, parameterFor } from './mapChoice.ts'
-import { cellUnder, mapDrawing, mapFrame, placeOf } from './mapDrawing.ts'
+import { cellUnder, mapDrawing, mapFrame, mapPlaceOf } from './mapDrawing.ts'
 import type { MapFrame, MapPlace } from './mapDrawing.ts'
 import { mapTable, cellWords, limitWords, placeText, summary } from './mapWords.ts'
 import type { MapChoice } from './mapChoice.ts'
@@ -130,7 +130,7 @@ class RateMap extends LitElement implements MapChoice {
   private here() {
     const { frames, parameters } = this.experiment
     if (!('fps' in frames)) return undefined
-    const place = placeOf(this.request, frames.fps, parameters[this.parameter]!)
+    const place = mapPlaceOf(this.request, frames.fps, parameters[this.parameter]!)
     return place && { ...place, paletteIndex: this.paletteIndex }
   }
 

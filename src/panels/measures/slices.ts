@@ -1,6 +1,6 @@
 import type { Clock } from '../../measure/index.ts'
 import { begin } from './task.ts'
-import type { Part, Work } from './task.ts'
+import type { Part, TaskWork } from './task.ts'
 
 /** What is told of a task under way. */
 export interface TaskReport {
@@ -16,7 +16,7 @@ const SLICE = 8
 
 /** Works on one task at a time, in slices, so that another can take its place in between. */
 export class Slices {
-  private work: Work | undefined
+  private work: TaskWork | undefined
   private yielded = 0
   /** A slice will come. */
   private due = false

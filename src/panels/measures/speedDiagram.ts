@@ -11,7 +11,7 @@ import '../../ui/runnerMark.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 import { diagramAdvice, errorText, pointName, pointWords, diagramTable } from './diagramWords.ts'
 import { diagramDrawing } from './diagramDrawing.ts'
-import { layOut } from './diagramLayout.ts'
+import { layOutDiagram } from './diagramLayout.ts'
 import type { DiagramLayout, DiagramSpot } from './diagramLayout.ts'
 import { labRunners } from './labRunners.ts'
 import type { LabRunner } from './labRunners.ts'
@@ -91,7 +91,8 @@ class SpeedDiagram extends LitElement {
       kind.id === 'time' ? curves : undefined,
     )
     const points = runners.flatMap(({ point }) => (point && isCurrent ? [point] : []))
-    this.layout = size.width > 0 && curves.length > 0 ? layOut(curves, size, points) : undefined
+    this.layout =
+      size.width > 0 && curves.length > 0 ? layOutDiagram(curves, size, points) : undefined
     const spot = spotNamed(this.layout, choice.chosen)
     return html`<div class="measure" ?data-busy=${measuring.busy}>
       ${this.controls()}

@@ -1,5 +1,5 @@
 import type { ReactiveControllerHost } from 'lit'
-import { nearestSpot, rowsOf } from './diagramLayout.ts'
+import { nearestSpot, spotRows } from './diagramLayout.ts'
 import type { DiagramLayout, DiagramSpot } from './diagramLayout.ts'
 import { pointName } from './diagramWords.ts'
 import { arrows, pictureChoice } from './pictureArea.ts'
@@ -43,7 +43,7 @@ export function spotNamed(
 ): DiagramSpot | undefined {
   return (
     layout &&
-    rowsOf(layout)
+    spotRows(layout)
       .flat()
       .find((spot) => nameOf(spot) === name)
   )
@@ -59,7 +59,7 @@ function nextSpot(
   from: DiagramSpot | undefined,
   [along, up]: Move,
 ): DiagramSpot {
-  const rows = rowsOf(layout)
+  const rows = spotRows(layout)
   const row = from ? rows.findIndex((spots) => spots.includes(from)) : 0
   const spots = rows[(row - up + rows.length) % rows.length]!
   // Another curve is met at the same rate or tolerance.

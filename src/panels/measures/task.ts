@@ -26,7 +26,7 @@ export type Task =
 export type Part = SweepCurve | TimedCurve | MapRow | SpreadRow
 
 /** Measuring under way: where it yields nothing there is nothing to be told yet, but it can be stopped there. */
-export interface Work {
+export interface TaskWork {
   readonly parts: Generator<Part | undefined>
   /** How often it yields. */
   readonly total: number
@@ -42,7 +42,7 @@ const MOST = 100_000
  * @param clock tells the time [ms]
  * @throws ExperimentError for an experiment that can't be run, RangeError for anything else that is no task
  */
-export function begin(value: unknown, clock: Clock): Work {
+export function begin(value: unknown, clock: Clock): TaskWork {
   const { kind, request } = object(value, 'The task')
   const asked = object(request, 'The request')
   switch (kind) {

@@ -6,7 +6,7 @@ import { cleared } from '../../chart/pen.ts'
 import { markOf } from '../../view/marks.ts'
 import type { Palette } from '../../view/palette.ts'
 import { EXACT } from './curves.ts'
-import type { Curve, Drawing } from './curves.ts'
+import type { Curve, PlotDrawing } from './curves.ts'
 
 /** The part of a chart of that size in which there are curves; the labels of the axes are to its left and below it [px]. */
 export function boxOf(width: number, height: number): Box {
@@ -34,7 +34,11 @@ export interface ChartStyle {
 const dense: Omit<AxisSizes, 'ratio'> = { font: 11, across: 48, up: 28, left: 6, below: 15 }
 
 /** Draws the axes and all curves, each runner's with its marks. */
-export function drawChart(canvas: HTMLCanvasElement, drawing: Drawing, style: ChartStyle): void {
+export function drawChart(
+  canvas: HTMLCanvasElement,
+  drawing: PlotDrawing,
+  style: ChartStyle,
+): void {
   const { palette, selected, width, height } = style
   const pen = cleared(canvas, width, height)
   const box = boxOf(width, height)

@@ -6,12 +6,12 @@ import { markOf } from '../../view/marks.ts'
 import type { Palette } from '../../view/palette.ts'
 import { boxOf, clip } from './chart.ts'
 import { EXACT } from './curves.ts'
-import type { Drawing } from './curves.ts'
+import type { PlotDrawing } from './curves.ts'
 import type { PlotReading } from './readings.ts'
 
 /** What a plot's cursor points at. */
 export interface Pointed {
-  readonly drawing: Drawing
+  readonly drawing: PlotDrawing
   /** Of the canvas [px]. */
   readonly width: number
   readonly height: number
@@ -52,7 +52,11 @@ export function drawCursor(canvas: HTMLCanvasElement, pointed: Pointed, palette:
 }
 
 /** The time that a point of a chart belongs to [s]: over time that below it, else that of the nearest frame shown. */
-export function timeAt({ across, up, curves, stepped }: Drawing, box: Box, point: Point): number {
+export function timeAt(
+  { across, up, curves, stepped }: PlotDrawing,
+  box: Box,
+  point: Point,
+): number {
   const part = (point.x - box.left) / (box.right - box.left)
   if (stepped)
     return Math.min(

@@ -19,7 +19,7 @@ export interface Curve {
 }
 
 /** All that a plot draws. */
-export interface Drawing {
+export interface PlotDrawing {
   readonly across: Axis
   readonly up: Axis
   readonly curves: readonly Curve[]
@@ -36,7 +36,7 @@ export function drawingOf(
   simulated: Simulated,
   width: number,
   height: number,
-): Drawing {
+): PlotDrawing {
   const { visible, runners } = simulated
   const { over, of } = kind
   const across = over ? axisOf(over, simulated) : timeAxis(simulated)

@@ -9,7 +9,7 @@ import type { Simulated } from '../../lab/state/simulation.ts'
 import { boxOf, drawChart } from './chart.ts'
 import { drawCursor, timeAt } from './cursor.ts'
 import { drawingOf } from './curves.ts'
-import type { Drawing } from './curves.ts'
+import type { PlotDrawing } from './curves.ts'
 import type { PlotKind } from './kinds.ts'
 import { inFull, plotValues, readingsAt, spoken } from './readings.ts'
 import { plotTable } from './table.ts'
@@ -55,7 +55,7 @@ class LabPlot extends LitElement {
   declare private near: boolean
   private readonly fold = tableFold(this)
   private readonly colours = new PaletteReader(this)
-  private drawing: Drawing | undefined
+  private drawing: PlotDrawing | undefined
   private drawn: unknown[] = []
   private area: HTMLElement | undefined
   /** Of the area, kept so that no frame has to ask for the layout [px]. */

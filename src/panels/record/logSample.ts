@@ -9,7 +9,7 @@ import '../../ui/quantityControl.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
 import { binsOf, histogram } from './histogram.ts'
 import { framesBetween, logSummary, rows, stretchOf } from './logWords.ts'
-import type { Stretch } from './logWords.ts'
+import type { LogStretch } from './logWords.ts'
 import { useFrames } from './useFrames.ts'
 
 export { readInSlices } from './readInSlices.ts'
@@ -48,7 +48,7 @@ class LogSample extends LitElement {
   /** The part to take [s]. */
   declare private from: number
   declare private to: number
-  private stretch!: Stretch
+  private stretch!: LogStretch
 
   override createRenderRoot(): this {
     return this

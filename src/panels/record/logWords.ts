@@ -2,13 +2,13 @@ import { count, fixed, plain } from '../../chart/numbers.ts'
 import type { Candidate } from '../../logs/index.ts'
 
 /** Frames one after the other, with what is asked of them again and again. */
-export interface Stretch {
+export interface LogStretch {
   readonly durations: Float64Array
   /** When each of them begins, and when the last ends [s]. */
   readonly instants: Float64Array
 }
 
-export function stretchOf(durations: Float64Array): Stretch {
+export function stretchOf(durations: Float64Array): LogStretch {
   const instants = new Float64Array(durations.length + 1)
   durations.forEach((duration, i) => (instants[i + 1] = instants[i]! + duration))
   return { durations, instants }
@@ -16,7 +16,7 @@ export function stretchOf(durations: Float64Array): Stretch {
 
 /** The frames that begin at `from` or later and before `to` [s], and no more than so many. */
 export function framesBetween(
-  { durations, instants }: Stretch,
+  { durations, instants }: LogStretch,
   from: number,
   to: number,
   most: number,

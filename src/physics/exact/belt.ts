@@ -1,5 +1,5 @@
 import { ExactSum } from '../exactSum.ts'
-import { holds } from '../holds.ts'
+import { frictionHolds } from '../holds.ts'
 import type { ExactMotion, State } from '../state.ts'
 import { cardinal } from './cardinal.ts'
 
@@ -83,7 +83,7 @@ export function exactBelt(parameters: {
 function phaseFrom(belt: Belt, { s, v }: State): Phase {
   const { speed, stiffness, kinetic } = belt
   const drive = -stiffness * s
-  const sticks = v === speed && holds(drive, belt.static, Math.abs(drive))
+  const sticks = v === speed && frictionHolds(drive, belt.static, Math.abs(drive))
   if (sticks) {
     const release = (Math.sign(speed) * belt.static) / stiffness
     const lasts = (release - s) / speed

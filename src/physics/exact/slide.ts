@@ -1,5 +1,5 @@
 import { ExactSum } from '../exactSum.ts'
-import { holds } from '../holds.ts'
+import { frictionHolds } from '../holds.ts'
 import type { Piece, Track } from '../track.ts'
 import { slideArc } from './arc.ts'
 import { stay } from './phase.ts'
@@ -79,7 +79,7 @@ export class Slide {
     const ahead = this.pieceTowards(direction)
     if (!ahead) return false
     const drive = this.drive(ahead)
-    if (holds(drive, this.muHold * this.press(ahead), Math.abs(drive))) return false
+    if (frictionHolds(drive, this.muHold * this.press(ahead), Math.abs(drive))) return false
     this.slip = direction > 0 ? 1 : -1
     if (this.muKinetic === 0) this.turns.push(this.time)
     return true

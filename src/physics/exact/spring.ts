@@ -1,5 +1,5 @@
 import type { ExactMotion } from '../state.ts'
-import { holds } from '../holds.ts'
+import { frictionHolds } from '../holds.ts'
 import { straight } from '../track.ts'
 import { sinCosDegrees } from '../trigonometry.ts'
 import { cardinal } from './cardinal.ts'
@@ -85,8 +85,8 @@ function firstStop(position: number, speed: number, slip: number, a: number, ome
 
 /** The number of half-swings until friction holds a block whose drive is F at the first stop and 2f less at each later one. */
 function halfSwingsUntilHeld(F: number, friction: number, hold: number, terms: number): number {
-  if (holds(F, hold, terms)) return 0
+  if (frictionHolds(F, hold, terms)) return 0
   const n = Math.ceil((F - hold) / (2 * friction))
   // Where the drive just ties with friction, rounding may have added a half-swing.
-  return holds(F - 2 * friction * (n - 1), hold, terms) ? n - 1 : n
+  return frictionHolds(F - 2 * friction * (n - 1), hold, terms) ? n - 1 : n
 }

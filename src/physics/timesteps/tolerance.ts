@@ -21,14 +21,12 @@ const SHORTER = 0.2
 const LONGER = 5
 // What rounding may leave between two ways to the same place, in parts of the size of what is compared.
 const ROUNDING = 16 * Number.EPSILON
-// A step that ends at an event ends there but for its error, so that the next may begin with the same event. So early in
-// a step, in parts of it, an event hides less than a billionth of the error.
-const EARLY = 1e-3
 // Where rounding hides the error, each long step is refused after each short one. So a step that was refused is
 // followed by one as long as it recommends, and the next ones are longer by this factor only, by its square and so on.
 const TRUST = 1.5
 // Far more than a smooth motion asks for. A rule that trembles, as naive friction does at rest, does not come to an end.
 const MOST_TRIES_A_FRAME = 3e5
+const MOST_TRIES_A_SECOND = 2e6
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
@@ -42,12 +40,12 @@ export const toTolerance = {
   start: ({ tolerance }: Values<typeof options>) => {
     const next: Next = {
       ...{ tolerance, left: NaN, step: Infinity, factor: NaN, longer: LONGER },
-      afterEvent: false,
     }
     return (frame) => {
       next.left = frame.frameDuration
+      const most = Math.max(MOST_TRIES_A_FRAME, MOST_TRIES_A_SECOND * frame.frameDuration)
       for (let tries = 0; next.left > 0 && frame.motion.moving; tries++) {
-        if (tries === MOST_TRIES_A_FRAME) return frame.abandon()
+        if (tries >= most) return frame.abandon()
         advance(frame, next)
       }
       frame.stateTime = frame.time
@@ -60,9 +58,10 @@ function advance(frame: FrameContext, next: Next): void {
   // #region advance
   const { motion } = frame
   frame.stateTime = frame.time - next.left
-  motion.dt = next.left / Math.max(1, Math.ceil(next.left / next.step))
-  const atEvent = tryStep(frame, next)
-  const step = 2 * motion.dt
+  const asked = next.left / Math.max(1, Math.ceil(next.left / next.step))
+  motion.dt = asked
+  tryStep(frame)
+  const step = frame.tried
   frame.allowed = next.tolerance * step
   const accepted = frame.error <= frame.allowed
   adapt(next, frame)
@@ -70,8 +69,12 @@ function advance(frame: FrameContext, next: Next): void {
   const keeps = accepted && next.factor >= 1 && next.step > step * next.factor
   if (!keeps) next.step = step * next.factor
   if (accepted) {
+    if (step < asked) {
+      frame.restore()
+      motion.dt = asked
+      frame.stepToEvent()
+    }
     next.left = step === next.left ? 0 : next.left - step
-    next.afterEvent = atEvent
     next.longer = Math.min(TRUST * next.longer, LONGER)
   } else {
     next.longer = 1
@@ -92,27 +95,20 @@ interface Next {
   factor: number
   /** The largest factor that is believed. */
   longer: number
-  /** The last step was cut to end at an event. */
-  afterEvent: boolean
 }
 
 /**
- * Takes a step of `motion.dt`, takes it back, and takes it again in two halves, whose length it leaves there. A step in
- * which something happens is cut to end there, since what comes before the event, or after it, could be one and the
- * same step on both ways. Returns whether it was. Sets `error` to how far off the halves are, by how far they are from the
- * whole (Richardson, 1911): in place, and in a second's way at the speed [m].
+ * Takes a step of `motion.dt`, or up to where the stopping rule ends it: so the whole is a single step, and has no part in
+ * common with the two halves, in which it is then taken again. Leaves its length in `tried`, and in `error` how far off
+ * the halves are, by how far they are from the whole (Richardson, 1911): in place, and in a second's way at the speed [m].
+ * A whole that was ended early is what will be kept, since it ends at the event exactly and the halves just before or
+ * after it: then `error` is of the whole.
  */
-function tryStep(frame: FrameContext, { afterEvent }: Next): boolean {
+function tryStep(frame: FrameContext): void {
   const { motion, order } = frame
+  const asked = motion.dt
   frame.save()
-  frame.step()
-  const { firstPart } = motion
-  const atEvent = firstPart < motion.dt && firstPart > (afterEvent ? EARLY * motion.dt : 0)
-  if (atEvent) {
-    frame.restore()
-    motion.dt = firstPart
-    frame.step()
-  }
+  frame.stepToEvent()
   const { s, v, dt } = motion
   frame.restore()
   motion.dt = 0.5 * dt
@@ -122,11 +118,12 @@ function tryStep(frame: FrameContext, { afterEvent }: Next): boolean {
   const speed = Math.abs(motion.v - v)
   let error = place <= ROUNDING * (Math.abs(s) + Math.abs(motion.s)) ? 0 : place
   if (speed > ROUNDING * (Math.abs(v) + Math.abs(motion.v))) error += speed
-  // Off by 2ᵖ of what the halves are.
+  // The whole is off by 2ᵖ of what the halves are.
   let ratio = 1
   for (let i = 0; i < order; i++) ratio *= 2
+  frame.tried = dt
   frame.error = error / (ratio - 1)
-  return atEvent
+  if (dt < asked) frame.error *= ratio
 }
 
 /**

@@ -5,7 +5,7 @@ import { parseHTML } from 'linkedom'
 import type { Diagram } from '../schema/index.ts'
 
 /** A diagram: what it is, and the file's content. */
-export interface Drawing {
+export interface DiagramDrawing {
   readonly about: Diagram
   readonly svg: string
 }
@@ -14,7 +14,7 @@ export interface Drawing {
  * Draws a plot as a file of its own: with a title and a description for those who don't see it, and with the page's
  * colours, light or dark as the system is set.
  */
-export function draw(about: Diagram, options: Plot.PlotOptions): Drawing {
+export function draw(about: Diagram, options: Plot.PlotOptions): DiagramDrawing {
   const { document } = parseHTML('<html><body></body></html>')
   const svg = Plot.plot({
     document,

@@ -1,9 +1,9 @@
 import * as Plot from '@observablehq/plot'
 import { byHand, ours, recorded } from '../engines/index.ts'
 import type { Report } from '../schema/index.ts'
-import { metres, nanoseconds, times } from '../text/numbers.ts'
+import { inMetres, nanoseconds, asMultiple } from '../text/numbers.ts'
 import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
-import type { Drawing } from './draw.ts'
+import type { DiagramDrawing } from './draw.ts'
 
 /** An error of exactly 0 is drawn here [m]. */
 const FLOOR = 1e-16
@@ -31,7 +31,7 @@ function known({ engines }: Figures, figures: readonly { engine: string }[]) {
 }
 
 /** What one step costs: the median, and the span from the quickest round to the slowest. */
-export function engineTimesDiagram(figures: Figures): Drawing {
+export function engineTimesDiagram(figures: Figures): DiagramDrawing {
   const shown = known(figures, figures.engineTests.times).map((each) => {
     const found = figures.engineTests.times.find(({ engine }) => engine === each.id)!
     return { ...each, ...found.step, ratio: found.ratio }
@@ -39,7 +39,7 @@ export function engineTimesDiagram(figures: Figures): Drawing {
   const least = Math.min(...shown.map((each) => each.least)) / 1.5
   const most = Math.max(...shown.map((each) => each.most)) * 1.3
   const words = shown.map(
-    ({ label, median, ratio }) => `${label} ${nanoseconds(median)} (${times(ratio)})`,
+    ({ label, median, ratio }) => `${label} ${nanoseconds(median)} (${asMultiple(ratio)})`,
   )
   return draw(
     {
@@ -85,7 +85,7 @@ export function engineTimesDiagram(figures: Figures): Drawing {
 }
 
 /** Errors in every scene at 10 fps. */
-export function engineErrorsDiagram(figures: Figures): Drawing {
+export function engineErrorsDiagram(figures: Figures): DiagramDrawing {
   const { scenes, runs } = figures.engineTests
   const clock = '10 fps'
   const engines = known(figures, runs)
@@ -112,7 +112,7 @@ export function engineErrorsDiagram(figures: Figures): Drawing {
     const others = engines
       .filter((each) => !ours.some((own) => own.id === each.id))
       .flatMap((each) => of(each.id) ?? [])
-    return `${label}: ${metres(of(ours[0].id) ?? null)} against ${metres(Math.min(...others))} to ${metres(Math.max(...others))} of the engines.`
+    return `${label}: ${inMetres(of(ours[0].id) ?? null)} against ${inMetres(Math.min(...others))} to ${inMetres(Math.max(...others))} of the engines.`
   })
   return draw(
     {

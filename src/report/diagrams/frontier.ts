@@ -1,8 +1,8 @@
 import * as Plot from '@observablehq/plot'
 import type { Frontier, WorkCurve } from '../schema/index.ts'
-import { metres, nanoseconds, plain } from '../text/numbers.ts'
+import { inMetres, nanoseconds, plainNumber } from '../text/numbers.ts'
 import { draw, metricPower, powers, ink, line, runner, softInk, legend } from './draw.ts'
-import type { Drawing } from './draw.ts'
+import type { DiagramDrawing } from './draw.ts'
 
 /** Below this an error is an accident of rounding, and drawn here [m]. */
 const FLOOR = 1e-15
@@ -14,12 +14,12 @@ const symbols: readonly Plot.SymbolType[] = [
 ]
 
 const costs = {
-  evaluations: { word: 'evaluations of the acceleration', show: plain },
+  evaluations: { word: 'evaluations of the acceleration', show: plainNumber },
   time: { word: 'time', show: nanoseconds },
 } as const
 
 /** Speed against error: a curve for each method, a point for each step length. */
-export function frontierDiagram(frontier: Frontier, cost: 'evaluations' | 'time'): Drawing {
+export function frontierDiagram(frontier: Frontier, cost: 'evaluations' | 'time'): DiagramDrawing {
   const { id, label, about, curves, at } = frontier
   const keys = curves.map((curve, i) => ({
     label: curve.label,
@@ -41,7 +41,7 @@ export function frontierDiagram(frontier: Frontier, cost: 'evaluations' | 'time'
   const best = cost === 'time' ? 'quickest' : 'fewest'
   const words = at.map((row) => {
     const own = row[best]
-    return `To ${metres(row.error)}: ${own ? `${show(own[cost])} with ${own.label}` : 'none of ours'}, ${row.odex ? `${show(row.odex[cost])} with odex` : 'odex does not get there'}.`
+    return `To ${inMetres(row.error)}: ${own ? `${show(own[cost])} with ${own.label}` : 'none of ours'}, ${row.odex ? `${show(row.odex[cost])} with odex` : 'odex does not get there'}.`
   })
   return draw(
     {

@@ -1,10 +1,10 @@
 import type { Report } from '../schema/index.ts'
-import type { Drawing } from './draw.ts'
+import type { DiagramDrawing } from './draw.ts'
 import { engineErrorsDiagram, engineTimesDiagram } from './engines.ts'
 import { frontierDiagram } from './frontier.ts'
 
 /** Every diagram of a report. */
-export function drawDiagrams(report: Omit<Report, 'diagrams'>): Drawing[] {
+export function drawDiagrams(report: Omit<Report, 'diagrams'>): DiagramDrawing[] {
   return [
     ...report.frontiers.flatMap((each) => [
       frontierDiagram(each, 'time'),

@@ -1,5 +1,5 @@
 /** The slope that a block lies on, in SI units; the angle in degrees below the horizontal. */
-export interface Slope {
+export interface EngineSlope {
   readonly angle: number
   /** The coefficient that the two bodies' friction must combine to, exactly. */
   readonly friction: number
@@ -7,7 +7,7 @@ export interface Slope {
 }
 
 /** A block of an engine on a slope of that engine. Distances in m along the slope, downhill positive. */
-export interface Block {
+export interface EngineBlock {
   /** Sets gravity: `along` the slope and `into` it [m/s²]. */
   pull(along: number, into: number): void
   /** Gives the block a velocity along the slope and none across it [m/s]. */
@@ -33,7 +33,7 @@ export interface Engine {
   /** Units, friction, sleeping: what a reader must know to judge the figures. */
   readonly setup: string
   /** Loads the engine and returns what makes blocks. */
-  load(): Promise<(slope: Slope) => Block>
+  load(): Promise<(slope: EngineSlope) => EngineBlock>
 }
 
 /** Half the edge of the block, of 1 kg [m]. */
@@ -52,7 +52,10 @@ export function directions(angle: number): { sin: number; cos: number } {
 const SETTLING = 120
 
 /** A block that lies on its slope at rest, under gravity from now on. */
-export function settled(make: (slope: Slope) => Block, slope: Slope): Block {
+export function settled(
+  make: (slope: EngineSlope) => EngineBlock,
+  slope: EngineSlope,
+): EngineBlock {
   const block = make(slope)
   const { sin, cos } = directions(slope.angle)
   // Pressed only, so that it finds its gap without setting off.

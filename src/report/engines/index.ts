@@ -11,7 +11,7 @@ import { rapier } from './rapier.ts'
 /** What people would use instead. */
 export const engines: readonly Engine[] = [matter, planck, rapier, box2d]
 
-export type { Block, Engine, Slope } from './engine.ts'
+export type { EngineBlock, Engine, EngineSlope } from './engine.ts'
 
 /** Our own rows: what this project is for, and what it starts from. */
 export const ours = [

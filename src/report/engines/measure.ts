@@ -4,11 +4,11 @@ import { RampVerlet } from '../handwritten/rampVerlet.ts'
 import type { FrictionSeen, EngineRun, EngineTime } from '../schema/index.ts'
 import { bytesOf } from '../timing/bytes.ts'
 import { ratioOf, timeRounds, timingOf } from '../timing/rounds.ts'
-import type { Care, Work } from '../timing/rounds.ts'
+import type { Care, TimedWork } from '../timing/rounds.ts'
 import { timed, trial } from '../timing/trials.ts'
 import { framing, simulating } from '../timing/works.ts'
 import type { Amount } from '../timing/works.ts'
-import type { Block, Engine } from './engine.ts'
+import type { EngineBlock, Engine } from './engine.ts'
 import { runOurs, runEngine } from './run.ts'
 import { engineClocks, engineScenes } from './scenes.ts'
 import { settled } from './engine.ts'
@@ -63,7 +63,7 @@ function chosen(clocks: readonly string[]): typeof engineClocks {
 }
 
 /** The coefficient of friction with which a block brakes on the flat: six frames at 60 fps, from 6 m/s. */
-export function frictionOf(block: Block, gravity: number): number {
+export function frictionOf(block: EngineBlock, gravity: number): number {
   const frames = 6
   block.push(6)
   for (let i = 0; i < frames; i++) block.step(1 / FPS)
@@ -76,7 +76,7 @@ export async function engineTimes(care: Care): Promise<EngineTime[]> {
   const slope = { angle: angle!, friction: muKinetic!, gravity: gravity! }
   const experiment = { scene: 'ramp', parameters: slide.parameters, ...ours[0].method } as const
   const byHandOf = (amount: Amount) => looping(() => new RampVerlet(slide.parameters), amount)
-  const works: { engine: string; work: Work; counted: Work }[] = [
+  const works: { engine: string; work: TimedWork; counted: TimedWork }[] = [
     {
       engine: ours[0].id,
       work: framing(experiment, TIMED),
@@ -87,7 +87,7 @@ export async function engineTimes(care: Care): Promise<EngineTime[]> {
   for (const engine of engines) {
     const make = await engine.load()
     let block = settled(make, slope)
-    const work: Work = {
+    const work: TimedWork = {
       units: FRAMES,
       prepare: () => {
         block.free()

@@ -2,13 +2,13 @@ import { simulate } from '../../physics/index.ts'
 import type { Experiment, FramesChoice } from '../../physics/index.ts'
 import type { EngineRun, EngineScene } from '../schema/index.ts'
 import { settled } from './engine.ts'
-import type { Block, Slope } from './engine.ts'
+import type { EngineBlock, EngineSlope } from './engine.ts'
 
 type Outcome = Omit<EngineRun, 'engine' | 'scene' | 'clock'>
 
 /** Runs an engine's block through a scene, a step a frame, as a game would. */
 export function runEngine(
-  make: (slope: Slope) => Block,
+  make: (slope: EngineSlope) => EngineBlock,
   scene: EngineScene,
   frames: FramesChoice,
 ): Outcome {

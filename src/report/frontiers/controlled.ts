@@ -5,7 +5,7 @@ import type { Controlled } from '../schema/index.ts'
 import { costAt } from './compare.ts'
 import { accuracy, tolerances as odexTolerances } from './odex.ts'
 import { problems } from './problems.ts'
-import type { Problem } from './problems.ts'
+import type { FrontierProblem } from './problems.ts'
 
 /** Errors at which odex and ours to tolerance are compared [m]. */
 const errors: readonly number[] = [1e-4, 1e-6, 1e-8, 1e-10]
@@ -20,7 +20,7 @@ const LEAST_FOR_VERLET = 1e-8
 
 /** The run to a tolerance: in long frames, since a step is never longer than its frame. */
 export function controlledRun(
-  { experiment }: Problem,
+  { experiment }: FrontierProblem,
   integrator: IntegratorId,
   tolerance: number,
 ): Experiment {

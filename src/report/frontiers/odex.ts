@@ -2,8 +2,8 @@ import { Solver } from 'odex'
 import { exactMotion } from '../../physics/index.ts'
 import type { WorkCurve, WorkPoint } from '../schema/index.ts'
 import { median, timeRounds } from '../timing/rounds.ts'
-import type { Care, Work } from '../timing/rounds.ts'
-import type { Problem } from './problems.ts'
+import type { Care, TimedWork } from '../timing/rounds.ts'
+import type { FrontierProblem } from './problems.ts'
 
 const CONVERGED = 0
 
@@ -14,7 +14,10 @@ export const tolerances: readonly number[] = Array.from(
 )
 
 /** odex at all tolerances, and for which of them it gave up. */
-export function odexCurve(problem: Problem, care: Care): { curve: WorkCurve; failed: number[] } {
+export function odexCurve(
+  problem: FrontierProblem,
+  care: Care,
+): { curve: WorkCurve; failed: number[] } {
   const tries = tolerances.map((tolerance) => ({ tolerance, ...accuracy(problem, tolerance) }))
   const whole = tries.filter(({ converged }) => converged)
   const times = timeRounds(
@@ -35,7 +38,7 @@ export function odexCurve(problem: Problem, care: Care): { curve: WorkCurve; fai
 
 /** The largest error at the ends of its own steps [m], and evaluations for a simulated second. */
 export function accuracy(
-  { experiment, acceleration }: Problem,
+  { experiment, acceleration }: FrontierProblem,
   tolerance: number,
 ): { error: number; evaluations: number; converged: boolean } {
   const { parameters, duration } = experiment
@@ -59,7 +62,7 @@ export function accuracy(
   return { error, evaluations: evaluations / duration, converged: outcome === CONVERGED }
 }
 
-function solving({ experiment, acceleration }: Problem, tolerance: number): Work {
+function solving({ experiment, acceleration }: FrontierProblem, tolerance: number): TimedWork {
   const { parameters, duration } = experiment
   const a = acceleration(parameters)
   const odex = solver(tolerance)

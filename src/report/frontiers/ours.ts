@@ -11,8 +11,8 @@ import {
 import type { SweepCurve } from '../../measure/index.ts'
 import type { WorkCurve } from '../schema/index.ts'
 import { median, timeRounds } from '../timing/rounds.ts'
-import type { Care, Work } from '../timing/rounds.ts'
-import type { Problem } from './problems.ts'
+import type { Care, TimedWork } from '../timing/rounds.ts'
+import type { FrontierProblem } from './problems.ts'
 
 /** Steps a second: from as few as a method of high order can do with to far beyond any screen, about half as many again each. */
 export const rates: readonly number[] = Array.from({ length: 13 }, (_, i) => 2 ** i).flatMap(
@@ -23,7 +23,11 @@ export const rates: readonly number[] = Array.from({ length: 13 }, (_, i) => 2 *
 const MOST_FRAMES = 1000
 
 /** A method of ours at all step lengths. Time is taken of the steps alone, a second's worth at a time. */
-export function ourCurve(problem: Problem, integrator: IntegratorId, care: Care): WorkCurve {
+export function ourCurve(
+  problem: FrontierProblem,
+  integrator: IntegratorId,
+  care: Care,
+): WorkCurve {
   const curve = swept(problem, integrator)
   const times = timeRounds(
     rates.map((rate) => stepping(problem, integrator, rate)),
@@ -51,7 +55,11 @@ export function ourCurve(problem: Problem, integrator: IntegratorId, care: Care)
 }
 
 /** The run behind a point. */
-export function rated({ experiment }: Problem, integrator: IntegratorId, rate: number): Experiment {
+export function rated(
+  { experiment }: FrontierProblem,
+  integrator: IntegratorId,
+  rate: number,
+): Experiment {
   let fps = rate
   while (fps > MOST_FRAMES) fps /= 2
   return {
@@ -62,7 +70,7 @@ export function rated({ experiment }: Problem, integrator: IntegratorId, rate: n
   }
 }
 
-function swept(problem: Problem, method: IntegratorId): SweepCurve {
+function swept(problem: FrontierProblem, method: IntegratorId): SweepCurve {
   const runs = rates.map((rate) => simulate(rated(problem, method, rate)))
   const sizes = runs.map(presentationErrorSizes)
   return {
@@ -75,7 +83,11 @@ function swept(problem: Problem, method: IntegratorId): SweepCurve {
   }
 }
 
-function stepping({ experiment }: Problem, integrator: IntegratorId, rate: number): Work {
+function stepping(
+  { experiment }: FrontierProblem,
+  integrator: IntegratorId,
+  rate: number,
+): TimedWork {
   const { duration } = experiment
   const stepped = {
     ...experiment,

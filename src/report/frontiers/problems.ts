@@ -1,7 +1,7 @@
 import type { Experiment, Parameters } from '../../physics/index.ts'
 
 /** An experiment on which cost is compared with error, and the same right-hand side as any solver of equations wants it. */
-export interface Problem {
+export interface FrontierProblem {
   readonly id: string
   readonly label: string
   readonly about: string
@@ -15,7 +15,7 @@ export interface Problem {
 const g = { gravity: 9.81, mass: 1 }
 
 /** On all of these, methods that choose their own steps are compared. */
-export const problems: readonly Problem[] = [
+export const problems: readonly FrontierProblem[] = [
   {
     id: 'half-pipe',
     label: 'Half-pipe',

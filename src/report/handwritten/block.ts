@@ -2,13 +2,13 @@
 export type Given = Readonly<Record<string, number>>
 
 /** What somebody would write by hand for one scene and one method, with the duties that a call of `run.frame` has. */
-export interface Block {
+export interface HandwrittenBlock {
   /** Distance along the track [m] and speed [m/s]. */
   readonly s: number
   readonly v: number
   /** What friction has turned into heat [J]. */
   readonly heat: number
-  readonly clock: Clock
+  readonly clock: HandwrittenClock
   /** To which side the block slides; 0: it rests, has left the track or has diverged. */
   readonly slip: -1 | 0 | 1
   /**
@@ -19,7 +19,7 @@ export interface Block {
 }
 
 /** A sum of frame times that stays exact to one rounding over millions of frames (two-sum). */
-export class Clock {
+export class HandwrittenClock {
   private high = -0
   private low = -0
 

@@ -1,14 +1,14 @@
-import { Clock, slipDirection } from './block.ts'
-import type { Block, Given } from './block.ts'
+import { HandwrittenClock, slipDirection } from './block.ts'
+import type { HandwrittenBlock, Given } from './block.ts'
 import { locate } from './locate.ts'
 
 /** The half-pipe by the classical Runge–Kutta method, which adds up the heat with the same weights. */
-export class HalfPipeRk4 implements Block {
+export class HalfPipeRk4 implements HandwrittenBlock {
   s = NaN
   v = NaN
   heat = NaN
   slip: -1 | 0 | 1 = 0
-  readonly clock = new Clock()
+  readonly clock = new HandwrittenClock()
   // Where a tried step ends, and its heat for a unit of mass and friction.
   private s1 = NaN
   private v1 = NaN

@@ -1,14 +1,14 @@
-import { Clock, slipDirection } from './block.ts'
-import type { Block, Given } from './block.ts'
+import { HandwrittenClock, slipDirection } from './block.ts'
+import type { HandwrittenBlock, Given } from './block.ts'
 import { locate } from './locate.ts'
 
 /** The half-pipe by velocity Verlet, which keeps the direction at the end of a step for the next. */
-export class HalfPipeVerlet implements Block {
+export class HalfPipeVerlet implements HandwrittenBlock {
   s = NaN
   v = NaN
   heat = NaN
   slip: -1 | 0 | 1 = 0
-  readonly clock = new Clock()
+  readonly clock = new HandwrittenClock()
   private sin = NaN
   private cos = NaN
   // Where a tried step ends, and its heat for a unit of mass and friction.

@@ -1,8 +1,8 @@
 import type { IntegratorId } from '../../physics/index.ts'
 import type { TimedScene } from '../timing/trials.ts'
-import type { Work } from '../timing/rounds.ts'
+import type { TimedWork } from '../timing/rounds.ts'
 import type { Amount } from '../timing/works.ts'
-import type { Block, Given } from './block.ts'
+import type { HandwrittenBlock, Given } from './block.ts'
 import { HalfPipeRk4 } from './halfPipeRk4.ts'
 import { HalfPipeVerlet } from './halfPipeVerlet.ts'
 import { RampRk4 } from './rampRk4.ts'
@@ -10,13 +10,13 @@ import { RampVerlet } from './rampVerlet.ts'
 import { SpringRk4 } from './springRk4.ts'
 import { SpringVerlet } from './springVerlet.ts'
 
-export type { Block } from './block.ts'
+export type { HandwrittenBlock } from './block.ts'
 
 /** A scene and a method that have a handwritten loop. */
 export interface Handwritten {
   readonly scene: TimedScene
   readonly integrator: IntegratorId
-  readonly start: (given: Given) => Block
+  readonly start: (given: Given) => HandwrittenBlock
 }
 
 /** What calls of `run.frame` are compared with. */
@@ -42,7 +42,7 @@ export const handwritten: readonly Handwritten[] = [
 ]
 
 /** Loops of so many frames of `step` seconds, `runs` of them at once. */
-export function looping(start: () => Block, { runs, steps, step }: Amount): Work {
+export function looping(start: () => HandwrittenBlock, { runs, steps, step }: Amount): TimedWork {
   const startAll = () => Array.from({ length: runs }, start)
   let blocks = startAll()
   return {

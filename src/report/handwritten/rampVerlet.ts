@@ -1,13 +1,13 @@
-import { Clock, FAR, slipDirection } from './block.ts'
-import type { Block, Given } from './block.ts'
+import { HandwrittenClock, FAR, slipDirection } from './block.ts'
+import type { HandwrittenBlock, Given } from './block.ts'
 
 /** The ramp by velocity Verlet: the acceleration is constant, so that a stop is found by a division. */
-export class RampVerlet implements Block {
+export class RampVerlet implements HandwrittenBlock {
   s = NaN
   v = NaN
   heat = NaN
   slip: -1 | 0 | 1 = 0
-  readonly clock = new Clock()
+  readonly clock = new HandwrittenClock()
   private a = NaN
   private readonly tangential: number
   private readonly hold: number

@@ -1,14 +1,14 @@
-import { Clock, FAR, slipDirection } from './block.ts'
-import type { Block, Given } from './block.ts'
+import { HandwrittenClock, FAR, slipDirection } from './block.ts'
+import type { HandwrittenBlock, Given } from './block.ts'
 import { locate } from './locate.ts'
 
 /** The spring by the classical Runge–Kutta method. */
-export class SpringRk4 implements Block {
+export class SpringRk4 implements HandwrittenBlock {
   s = NaN
   v = NaN
   heat = NaN
   slip: -1 | 0 | 1 = 0
-  readonly clock = new Clock()
+  readonly clock = new HandwrittenClock()
   // Where a tried step ends.
   private s1 = NaN
   private v1 = NaN

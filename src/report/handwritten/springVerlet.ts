@@ -1,14 +1,14 @@
-import { Clock, FAR, slipDirection } from './block.ts'
-import type { Block, Given } from './block.ts'
+import { HandwrittenClock, FAR, slipDirection } from './block.ts'
+import type { HandwrittenBlock, Given } from './block.ts'
 import { locate } from './locate.ts'
 
 /** The spring by velocity Verlet, which keeps the acceleration at the end of a step for the next. */
-export class SpringVerlet implements Block {
+export class SpringVerlet implements HandwrittenBlock {
   s = NaN
   v = NaN
   heat = NaN
   slip: -1 | 0 | 1 = 0
-  readonly clock = new Clock()
+  readonly clock = new HandwrittenClock()
   private a = NaN
   // Where a tried step ends.
   private s1 = NaN

@@ -1,11 +1,11 @@
-import { amount, flag, list, number, orNull, record, table, text, word } from './shape.ts'
+import { amount, flag, list, number, orNull, recordOf, table, text, word } from './shape.ts'
 import type { Shaped } from './shape.ts'
 
 /** Nanoseconds: the median of all rounds, the quickest and the slowest one. */
-const timing = record({ median: amount, least: amount, most: amount })
+const timing = recordOf({ median: amount, least: amount, most: amount })
 
 /** Where the figures come from. */
-const machine = record({
+const machine = recordOf({
   /** ISO 8601. */
   date: text,
   /** As the processor calls itself. */
@@ -21,7 +21,7 @@ const machine = record({
 })
 
 /** An engine or a solver that is compared, or ours. */
-const engineInfo = record({
+const engineInfo = recordOf({
   id: text,
   label: text,
   /** Of its package. */
@@ -31,7 +31,7 @@ const engineInfo = record({
 })
 
 /** A scene and a method: a call of `run.frame` for each step beside the loop that somebody would write by hand for just this. */
-const frameTime = record({
+const frameTime = recordOf({
   scene: text,
   integrator: text,
   /** ns a frame of the handwritten loop. */
@@ -41,13 +41,13 @@ const frameTime = record({
   /** The same in a process that has run all scenes, methods and rules; null: was not measured. */
   mixed: orNull(timing),
   /** Median over rounds of ours divided by the handwritten loop's, each from the same round. */
-  ratios: record({ alone: amount, mixed: orNull(amount) }),
+  ratios: recordOf({ alone: amount, mixed: orNull(amount) }),
   /** Bytes a frame that are taken from the heap. */
-  bytes: record({ alone: amount, mixed: orNull(amount) }),
+  bytes: recordOf({ alone: amount, mixed: orNull(amount) }),
 })
 
 /** A scene for engines: an experiment that any rigid-body engine can be given. */
-const engineScene = record({
+const engineScene = recordOf({
   id: text,
   label: text,
   /** In words: angle, friction, speed, how long. */
@@ -65,7 +65,7 @@ const engineScene = record({
 })
 
 /** One engine in one scene under one clock. */
-const engineRun = record({
+const engineRun = recordOf({
   /** As in `engines`. */
   engine: text,
   scene: text,
@@ -82,7 +82,7 @@ const engineRun = record({
 })
 
 /** What a time step of an engine costs with one block sliding down one ramp. */
-const engineTime = record({
+const engineTime = recordOf({
   engine: text,
   step: timing,
   /** How many calls of `run.frame`, with velocity Verlet and located stops, take as long; 1 for ours. */
@@ -92,10 +92,10 @@ const engineTime = record({
 })
 
 /** The coefficient of friction that an engine really has: from how fast it brakes on the flat at 60 fps. */
-const frictionSeen = record({ engine: text, asked: amount, seen: amount })
+const frictionSeen = recordOf({ engine: text, asked: amount, seen: amount })
 
 /** A method at one step length or one tolerance. */
-const workPoint = record({
+const workPoint = recordOf({
   /** Step [s] of ours; tolerance of odex. */
   setting: amount,
   /** Root mean square of the position's error over the points that all are compared at [m]. */
@@ -106,7 +106,7 @@ const workPoint = record({
   time: amount,
 })
 
-const workCurve = record({
+const workCurve = recordOf({
   /** An integrator's id, or `odex`. */
   id: text,
   label: text,
@@ -120,10 +120,10 @@ const workCurve = record({
 })
 
 /** The cheapest way of a method to an error, interpolated on its curve; null where the curve does not get there. */
-const cheapest = record({ id: text, label: text, evaluations: amount, time: amount })
+const cheapest = recordOf({ id: text, label: text, evaluations: amount, time: amount })
 
 /** Speed against error for one experiment. */
-const frontier = record({
+const frontier = recordOf({
   id: text,
   label: text,
   about: text,
@@ -132,7 +132,7 @@ const frontier = record({
   curves: list(workCurve),
   /** Who gets to an error [m] at the lowest cost. */
   at: list(
-    record({
+    recordOf({
       error: amount,
       /** Ours with the fewest evaluations, and ours that is quickest. */
       fewest: orNull(cheapest),
@@ -143,23 +143,23 @@ const frontier = record({
 })
 
 /** What methods that choose their own steps spend on an error, each in evaluations for a simulated second. */
-const controlled = record({
+const controlled = recordOf({
   id: text,
   label: text,
   about: text,
   at: list(
-    record({
+    recordOf({
       /** The largest of the run [m]. */
       error: amount,
       /** The best of ours to tolerance; null: none gets there. */
-      ours: orNull(record({ label: text, evaluations: amount })),
+      ours: orNull(recordOf({ label: text, evaluations: amount })),
       odex: orNull(amount),
     }),
   ),
 })
 
 /** What was asked for, and what came out. */
-const target = record({
+const target = recordOf({
   id: text,
   label: text,
   /** The figure must be at most or at least `limit`. */
@@ -171,13 +171,13 @@ const target = record({
   from: text,
 })
 
-const diagram = record({ file: text, title: text, description: text })
+const diagram = recordOf({ file: text, title: text, description: text })
 
-const shape = record({
+const shape = recordOf({
   machine,
   engines: list(engineInfo),
   frames: list(frameTime),
-  engineTests: record({
+  engineTests: recordOf({
     scenes: list(engineScene),
     clocks: list(text),
     runs: list(engineRun),
@@ -189,7 +189,7 @@ const shape = record({
   targets: list(target),
   diagrams: list(diagram),
   /** What could not be run, and why. */
-  notRun: list(record({ what: text, why: text })),
+  notRun: list(recordOf({ what: text, why: text })),
 })
 
 export type Timing = Shaped<typeof timing>

@@ -71,7 +71,7 @@ export function table<T>(each: Shape<T>): Shape<Record<string, T>> {
 }
 
 /** An object with these fields and no others. */
-export function record<F extends Record<string, Shape<unknown>>>(
+export function recordOf<F extends Record<string, Shape<unknown>>>(
   fields: F,
 ): Shape<{ [K in keyof F]: Shaped<F[K]> }> {
   return {

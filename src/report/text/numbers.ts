@@ -4,7 +4,7 @@
 const ROUNDING = 1e-11
 
 /** “0.32 m”, “53 mm”, “10 nm”, “0 (to rounding)”, “0”. */
-export function metres(value: number | null): string {
+export function inMetres(value: number | null): string {
   if (value === null) return 'no number'
   const size = Math.abs(value)
   if (size === 0) return '0'
@@ -18,8 +18,8 @@ export function metres(value: number | null): string {
 /** The same of several: those that are 0, exactly or to rounding, are said once. */
 export function eachInMetres(values: readonly (number | null)[]): string {
   const small = values.every((value) => value !== null && Math.abs(value) < ROUNDING)
-  if (!small) return values.map(metres).join(', ')
-  return metres(Math.max(...values.map((value) => Math.abs(value ?? 0))))
+  if (!small) return values.map(inMetres).join(', ')
+  return inMetres(Math.max(...values.map((value) => Math.abs(value ?? 0))))
 }
 
 /** “5.1 ns”, “12 µs”, “1.6 ms”. */
@@ -29,12 +29,12 @@ export function nanoseconds(value: number): string {
 }
 
 /** “1.2×”, “310×”. */
-export function times(value: number): string {
-  return `${plain(value)}×`
+export function asMultiple(value: number): string {
+  return `${plainNumber(value)}×`
 }
 
 /** “4”, “0.125”, “1 400”, “3.6 × 10¹³”. */
-export function plain(value: number): string {
+export function plainNumber(value: number): string {
   const size = Math.abs(value)
   if (size >= 1e6 || (size > 0 && size < 1e-3)) return power(value)
   return digits(value).replace(/\B(?=(\d{3})+$)/g, '\u202f')

@@ -1,7 +1,7 @@
 import { integrators, scenes } from '../../physics/index.ts'
 import { engines as physicsEngines } from '../engines/index.ts'
 import type { FrameTime, Report } from '../schema/index.ts'
-import { eachInMetres, metres, nanoseconds, plain, times } from './numbers.ts'
+import { eachInMetres, inMetres, nanoseconds, plainNumber, asMultiple } from './numbers.ts'
 
 /** A table of the report: shown in `docs/benchmarks.md` and on the terminal. */
 export interface Table {
@@ -48,8 +48,8 @@ export function engineTimes(report: Report): Table {
         labelOf(report, engine),
         nanoseconds(step.median),
         `${nanoseconds(step.least)} – ${nanoseconds(step.most)}`,
-        times(ratio),
-        `${plain(Math.round(bytes))} B`,
+        asMultiple(ratio),
+        `${plainNumber(Math.round(bytes))} B`,
         seen === undefined ? '0.5' : seen.toFixed(2),
       ]
     }),
@@ -63,9 +63,9 @@ export function cheapestWays({ frontiers }: Report): Table {
     head: ['', 'fewest evaluations of ours', 'odex', 'least time of ours', 'odex', 'who is ahead'],
     rows: frontiers.flatMap(({ label, at }) =>
       at.map(({ error, fewest, quickest, odex }) => [
-        `${label}, ${metres(error)}`,
-        fewest ? `${plain(fewest.evaluations)} (${fewest.label})` : '–',
-        odex ? plain(odex.evaluations) : '–',
+        `${label}, ${inMetres(error)}`,
+        fewest ? `${plainNumber(fewest.evaluations)} (${fewest.label})` : '–',
+        odex ? plainNumber(odex.evaluations) : '–',
         quickest ? `${nanoseconds(quickest.time)} (${quickest.label})` : '–',
         odex ? nanoseconds(odex.time) : '–',
         [
@@ -84,9 +84,9 @@ export function controlledWays({ controlled }: Report): Table {
     head: ['', 'ours, to tolerance', 'odex', 'who is ahead'],
     rows: controlled.flatMap(({ label, at }) =>
       at.map(({ error, ours, odex }) => [
-        `${label}, ${metres(error)}`,
-        ours ? `${plain(ours.evaluations)} (${ours.label})` : '–',
-        odex === null ? '–' : plain(odex),
+        `${label}, ${inMetres(error)}`,
+        ours ? `${plainNumber(ours.evaluations)} (${ours.label})` : '–',
+        odex === null ? '–' : plainNumber(odex),
         ahead('evaluations', ours?.evaluations, odex ?? undefined).replace('evaluations: ', ''),
       ]),
     ),
@@ -96,13 +96,15 @@ export function controlledWays({ controlled }: Report): Table {
 function ahead(what: string, own: number | undefined, odex: number | undefined): string {
   if (own === undefined || odex === undefined)
     return `${what}: ${own === undefined ? (odex === undefined ? 'nobody gets there' : 'odex') : 'ours'}`
-  return own <= odex ? `${what}: ours, ${times(odex / own)}` : `${what}: odex, ${times(own / odex)}`
+  return own <= odex
+    ? `${what}: ours, ${asMultiple(odex / own)}`
+    : `${what}: odex, ${asMultiple(own / odex)}`
 }
 
 /** What a call of `run.frame` costs beside the handwritten loop, a row for each scene and method that has one. */
 export function frameTable({ frames }: Report): Table {
   const cell = (time: FrameTime['mixed'], ratio: number | null) =>
-    time && ratio ? `${nanoseconds(time.median)}, ${times(ratio)}` : '–'
+    time && ratio ? `${nanoseconds(time.median)}, ${asMultiple(ratio)}` : '–'
   return {
     title: 'Time of a step: run.frame, and its ratio to the handwritten loop',
     head: ['', 'handwritten loop', 'run.frame, alone', 'run.frame, after everything else'],
@@ -122,8 +124,8 @@ export function targetTable({ targets }: Report): Table {
     head: ['', 'asked for', 'measured', '', 'where'],
     rows: targets.map(({ label, sense, limit, figure, met, from }) => [
       label,
-      `${sense} ${plain(limit)}`,
-      plain(figure),
+      `${sense} ${plainNumber(limit)}`,
+      plainNumber(figure),
       met ? 'met' : 'missed',
       from,
     ]),

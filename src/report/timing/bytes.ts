@@ -1,4 +1,4 @@
-import type { Work } from './rounds.ts'
+import type { TimedWork } from './rounds.ts'
 
 const ROUNDS = 5
 
@@ -9,7 +9,7 @@ const NOTHING = 0.05
  * Bytes of the JavaScript heap that a unit of a work takes. The least of five rounds, since the engine itself may use
  * memory at any time. Needs `node --expose-gc` and a young generation that holds a round without being collected.
  */
-export function bytesOf(work: Work): number {
+export function bytesOf(work: TimedWork): number {
   let least = Infinity
   let used = 0
   for (let round = 0; round < ROUNDS && least > NOTHING * work.units; round++) {

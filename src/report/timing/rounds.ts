@@ -1,7 +1,7 @@
 import type { Timing } from '../schema/index.ts'
 
 /** Something whose time is taken: `prepare` is not counted, `run` is; its result is used, so that the compiler can't remove it. */
-export interface Work {
+export interface TimedWork {
   /** How many units of work a run is: times are given for one of them. */
   readonly units: number
   prepare?(): void
@@ -23,7 +23,10 @@ let used = 0
  * The processor time of each work for a unit [ns], a number for each round. Rounds are interleaved, work after work, so that
  * whatever else the machine does hits all of them alike.
  */
-export function timeRounds(works: readonly Work[], { rounds, atLeast, warming }: Care): number[][] {
+export function timeRounds(
+  works: readonly TimedWork[],
+  { rounds, atLeast, warming }: Care,
+): number[][] {
   const times = works.map((): number[] => [])
   for (const work of works) timeOnce(work, warming)
   for (let round = 0; round < rounds; round++)
@@ -33,12 +36,12 @@ export function timeRounds(works: readonly Work[], { rounds, atLeast, warming }:
 }
 
 /** Every other round runs backwards, so that no work always follows the same one. */
-function inTurn(works: readonly Work[], round: number): [number, Work][] {
+function inTurn(works: readonly TimedWork[], round: number): [number, TimedWork][] {
   const entries = [...works.entries()]
   return round % 2 === 0 ? entries : entries.reverse()
 }
 
-function timeOnce(work: Work, atLeast: number): number {
+function timeOnce(work: TimedWork, atLeast: number): number {
   let elapsed = 0
   let runs = 0
   while (elapsed < atLeast) {

@@ -7,7 +7,7 @@ import {
   timesteps,
 } from '../../physics/index.ts'
 import type { Described, Experiment, Options, Timestep } from '../../physics/index.ts'
-import type { Work } from './rounds.ts'
+import type { TimedWork } from './rounds.ts'
 
 // `bench --against` bundles this file with the physics of each checkout, so that no call site sees two of them.
 
@@ -19,7 +19,7 @@ export interface Amount {
 }
 
 /** One call of `run.frame` a step. */
-export function framing(experiment: Experiment, { runs, steps, step }: Amount): Work {
+export function framing(experiment: Experiment, { runs, steps, step }: Amount): TimedWork {
   const start = () => Array.from({ length: runs }, () => createRun(experiment))
   let started = start()
   return {
@@ -39,7 +39,7 @@ export function framing(experiment: Experiment, { runs, steps, step }: Amount): 
 }
 
 /** One call of `simulate`, which records every frame. */
-export function simulating(experiment: Experiment, frames: number): Work {
+export function simulating(experiment: Experiment, frames: number): TimedWork {
   return {
     units: frames,
     run: () => {

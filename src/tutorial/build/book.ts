@@ -77,6 +77,6 @@ export type Env = {
 }
 
 /** The place of a line of the piece, counted from 0. */
-export function placeOf({ file, firstLine }: Env, line: number): TextPlace {
+export function textPlaceOf({ file, firstLine }: Env, line: number): TextPlace {
   return { file, line: firstLine + line + 1 }
 }

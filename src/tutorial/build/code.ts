@@ -1,5 +1,5 @@
 import { attributes, escaped } from '../still/html.ts'
-import { placeOf } from './book.ts'
+import { textPlaceOf } from './book.ts'
 import type { Env } from './book.ts'
 import { languages } from './highlight.ts'
 import { instead } from './problem.ts'
@@ -30,7 +30,7 @@ export function codeHtml(env: Env, code: string, language: string, line: number)
   if (!(languages as readonly string[]).includes(language)) {
     const known = [...languages, 'figure', 'source', 'take-home', 'hard-cases']
     env.book.report(
-      placeOf(env, line),
+      textPlaceOf(env, line),
       `“${language}” is no kind of block${instead(language, known)}`,
     )
     return ''
@@ -42,7 +42,7 @@ export function codeHtml(env: Env, code: string, language: string, line: number)
 /** Some lines of the project itself, `path#region`, with the path below them, and a caption if there is one. */
 export function sourceHtml(env: Env, address: string, caption: string, line: number): string {
   const [path = '', region] = address.split('#')
-  const place = placeOf(env, line)
+  const place = textPlaceOf(env, line)
   const source = env.book.materials.read(path)
   if (source === undefined) {
     env.book.report(place, `there is no file ${path}`)
@@ -65,7 +65,7 @@ export function sourceHtml(env: Env, address: string, caption: string, line: num
 export function takeHomeHtml(env: Env, line: number): string {
   const { takeHome } = env.book.materials
   if (takeHome.length === 0)
-    env.book.report(placeOf(env, line), 'there are no files in src/tutorial/take-home')
+    env.book.report(textPlaceOf(env, line), 'there are no files in src/tutorial/take-home')
   const parts = takeHome.map(({ path, text }) => {
     const ending = path.split('.').at(-1)!
     const name = names[ending] ?? ending

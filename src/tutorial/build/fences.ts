@@ -1,6 +1,6 @@
 import type { MarkdownIt } from 'markdown-it'
 import { attributes } from '../still/html.ts'
-import { placeOf } from './book.ts'
+import { textPlaceOf } from './book.ts'
 import type { Env } from './book.ts'
 import { codeHtml, sourceHtml, takeHomeHtml } from './code.ts'
 import { hardCasesHtml } from './hardCases.ts'
@@ -25,7 +25,7 @@ export function fences(md: MarkdownIt): void {
 /** A figure with its still picture, which stays where there is no JavaScript, and its caption. */
 function figureHtml(env: Env, name: string, caption: string, line: number): string {
   const { book } = env
-  const place = placeOf(env, line)
+  const place = textPlaceOf(env, line)
   const figure = book.figure(name, place)
   const id = `figure-${name}`
   book.give(id, place)

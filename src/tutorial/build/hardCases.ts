@@ -9,7 +9,7 @@ import { groups, presetsOf } from '../../lab/presets/hardCases.ts'
 import type { Preset } from '../../lab/presets/preset.ts'
 import { writeAddress } from '../../lab/state/address.ts'
 import { attributes, escaped } from '../still/html.ts'
-import { placeOf } from './book.ts'
+import { textPlaceOf } from './book.ts'
 import type { Env } from './book.ts'
 
 /**
@@ -19,10 +19,10 @@ import type { Env } from './book.ts'
 export function hardCasesHtml(env: Env, line: number): string {
   const tables = groups.map(([name, numbers]) => {
     const cases = hardCases.filter(({ group }) => numbers.includes(group))
-    for (const { id } of cases) env.book.give(anchorOf(id), placeOf(env, line))
+    for (const { id } of cases) env.book.give(anchorOf(id), textPlaceOf(env, line))
     const label = attributes({ 'data-label': `Hard cases: ${name}` })
     const id = `hard-cases-${name.toLowerCase().replaceAll(' ', '-')}`
-    env.book.give(id, placeOf(env, line))
+    env.book.give(id, textPlaceOf(env, line))
     const claims = cases.flatMap((each) => Object.keys(hardCaseClaims[each.id]!)).length
     return `<details><summary><h3 id="${id}">${escaped(name)}</h3>
 <span class="counts">${cases.length} cases, ${claims} numbers</span></summary>

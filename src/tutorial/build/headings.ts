@@ -1,5 +1,5 @@
 import type { MarkdownIt, Token } from 'markdown-it'
-import { placeOf } from './book.ts'
+import { textPlaceOf } from './book.ts'
 import type { Chapter, Env } from './book.ts'
 
 /** `01-what-moves.md` is section 1 with the id `what-moves`; `references.md` has no number. */
@@ -20,7 +20,7 @@ export function headings(md: MarkdownIt): void {
     let titles = 0
     tokens.forEach((open, i) => {
       if (open.type !== 'heading_open') return
-      const place = placeOf(env, open.map![0]!)
+      const place = textPlaceOf(env, open.map![0]!)
       const level = Number(open.tag.slice(1))
       const inline = tokens[i + 1]!
       const own = takeId(inline)

@@ -1,6 +1,6 @@
 import type { MarkdownIt, Token } from 'markdown-it'
 import { escaped, attributes } from '../still/html.ts'
-import { placeOf } from './book.ts'
+import { textPlaceOf } from './book.ts'
 import type { Env, Book } from './book.ts'
 import type { Brace } from './braces.ts'
 import { resolveLink } from './links.ts'
@@ -19,7 +19,7 @@ export function resolve(md: MarkdownIt): void {
       let line = token.map?.[0] ?? 0
       if (token.type === 'equation') resolveMaths(token, true, env, line)
       for (const child of token.children ?? []) {
-        const place = placeOf(env, line)
+        const place = textPlaceOf(env, line)
         if (child.type === 'softbreak' || child.type === 'hardbreak') line++
         else if (child.type === 'maths') resolveMaths(child, false, env, line)
         else if (child.type === 'brace') child.content = braceHtml(child.meta as Brace, env, place)
@@ -65,7 +65,7 @@ function resolveMaths(token: Token, display: boolean, env: Env, line: number): v
     token.content = display ? `<div class="equation" data-label="Equation">${html}</div>\n` : html
   } catch (error) {
     const reason = error instanceof Error ? error.message.replace(/\s+/g, ' ') : String(error)
-    env.book.report(placeOf(env, line), `$${token.content}$ is no TeX: ${reason}`)
+    env.book.report(textPlaceOf(env, line), `$${token.content}$ is no TeX: ${reason}`)
     token.content = ''
   }
 }

@@ -1,6 +1,5 @@
 import { fixed, metres, plain } from '../../chart/numbers.ts'
-import { decayRate, dampings } from '../../physics/damping.ts'
-import type { DampingId } from '../../physics/damping.ts'
+import { decayRate, framesOfCoasting } from '../../physics/damping.ts'
 import { percent } from './fact.ts'
 import type { Facts } from './fact.ts'
 
@@ -8,17 +7,9 @@ const RATE = 5
 const START = 5
 const distance = (value: number) => metres(value)
 
-/** How far a body gets that starts at 5 m/s with k = 5/s, damped first and moved then [m]. */
-function coasted(id: DampingId, fps: number): number {
-  const { factor } = dampings.find((each) => each.id === id)!
-  const left = factor(RATE, 1 / fps)
-  let [x, v] = [0, START]
-  // In 20 s it has come to rest to rounding.
-  for (let i = 0; i < 20 * fps; i++) {
-    v *= left
-    x += v / fps
-  }
-  return x
+/** How far a body gets that starts at 5 m/s with k = 5/s [m]: in 20 s it has come to rest to rounding. */
+function coasted(fps: number): number {
+  return framesOfCoasting('explicit', { k: RATE, v: START, fps, frames: 20 * fps }).at(-1)!
 }
 
 const tenths = (value: number) => `${fixed(100 * value, 1)}\u202f%`
@@ -26,9 +17,9 @@ const tenths = (value: number) => `${fixed(100 * value, 1)}\u202f%`
 /** What damping makes of the frame rate. */
 export const damping = {
   coastTrue: { value: () => START / RATE, show: distance },
-  coast30: { value: () => coasted('explicit', 30), show: (value) => `${fixed(value, 4)}\u202fm` },
-  coast60: { value: () => coasted('explicit', 60), show: (value) => `${fixed(value, 4)}\u202fm` },
-  coast200: { value: () => coasted('explicit', 200), show: distance },
+  coast30: { value: () => coasted(30), show: (value) => `${fixed(value, 4)}\u202fm` },
+  coast60: { value: () => coasted(60), show: (value) => `${fixed(value, 4)}\u202fm` },
+  coast200: { value: () => coasted(200), show: distance },
   kept30: { value: () => 0.99 ** 30, show: tenths },
   kept60: { value: () => 0.99 ** 60, show: tenths },
   rateOf099: { value: () => decayRate(0.99, 60), show: (value) => `${fixed(value, 3)}\u202f/s` },

@@ -1,5 +1,5 @@
 import { allCorrected, dot, length, paperStep } from '../../physics/index.ts'
-import type { Body, Corrections, Surface } from '../../physics/index.ts'
+import type { PaperBody, Corrections, Surface } from '../../physics/index.ts'
 import { fixed, metres, plain, speed } from '../../chart/numbers.ts'
 import type { Facts } from './fact.ts'
 
@@ -38,7 +38,7 @@ function run(
   without?: keyof Corrections,
 ) {
   const how = without ? { ...allCorrected, [without]: false } : allCorrected
-  let body: Body = { r: { x: 0, y: 0 }, v: { x: v * along.x, y: v * along.y } }
+  let body: PaperBody = { r: { x: 0, y: 0 }, v: { x: v * along.x, y: v * along.y } }
   return Array.from({ length: frames }, () => {
     body = paperStep(body, surface, 1 / fps, how)
     return body

@@ -27,7 +27,7 @@ export function applied({ a, b, c, d, e, f }: Matrix, x: number, y: number): [nu
 }
 
 /** How much longer it makes a line; pictures only ever turn, move and enlarge. */
-export function scaleOf({ a, b }: Matrix): number {
+export function magnification({ a, b }: Matrix): number {
   return Math.hypot(a, b)
 }
 

@@ -1,7 +1,7 @@
 import { textWidth } from './advances.ts'
 import { attributes, escaped } from './html.ts'
 import type { Attributes } from './html.ts'
-import { applied, scaleOf } from './matrix.ts'
+import { applied, magnification } from './matrix.ts'
 import { decoded, encoded } from './palette.ts'
 import { short, SvgPath } from './svgPath.ts'
 import { precise, SvgState } from './svgState.ts'
@@ -44,7 +44,7 @@ export class SvgContext extends SvgState {
     const { a, b } = this.matrix
     const turned = Math.atan2(b, a)
     const centre = applied(this.matrix, x, y)
-    const size = radius * scaleOf(this.matrix)
+    const size = radius * magnification(this.matrix)
     this.path.arc(...centre, size, from + turned, to + turned, backwards)
   }
 

@@ -1,4 +1,4 @@
-import { applied, identity, scaleOf } from './matrix.ts'
+import { applied, identity, magnification } from './matrix.ts'
 import type { Matrix } from './matrix.ts'
 
 /** One piece of a path: an SVG command with its points; an arc of a circle has its radius and flags besides. */
@@ -76,7 +76,7 @@ export class SvgPath {
   /** The same path, turned, moved and enlarged. */
   moved(matrix: Matrix): SvgPath {
     const result = new SvgPath()
-    const scale = scaleOf(matrix)
+    const scale = magnification(matrix)
     for (const { points, arc, ...piece } of this.pieces)
       result.pieces.push({
         ...piece,

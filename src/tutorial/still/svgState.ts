@@ -1,4 +1,4 @@
-import { identity, product, scaleOf } from './matrix.ts'
+import { identity, product, magnification } from './matrix.ts'
 import type { Matrix } from './matrix.ts'
 import { decoded } from './palette.ts'
 
@@ -79,7 +79,7 @@ export class SvgState {
   /** Of lines. */
   protected lines() {
     const { lineWidth, lineCap, lineJoin, dash } = this
-    const width = lineWidth * scaleOf(this.matrix)
+    const width = lineWidth * magnification(this.matrix)
     return {
       stroke: decoded(this.strokeStyle),
       'stroke-width': width === 1 ? undefined : precise(width),

@@ -8,7 +8,7 @@ import { experimentOf } from '../../../src/lab/state/check.ts'
 import { modes } from '../../../src/lab/state/modes.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { presets } from '../../../src/lab/presets/index.ts'
-import { MOST_FRAMES, stateOf, together } from '../../../src/lab/presets/hardCases.ts'
+import { MOST_FRAMES, stateOf, sideBySide } from '../../../src/lab/presets/hardCases.ts'
 import { changed } from '../../../src/lab/state/change.ts'
 import { count } from '../../../src/chart/numbers.ts'
 import { endOf } from '../../../src/view/timeline.ts'
@@ -109,5 +109,5 @@ test('experiments are together that share scene, parameters and duration', () =>
   const ramp: Experiment = { scene: 'ramp', duration: 1 }
   const steep: Experiment = { ...ramp, parameters: { angle: 50 } }
   const slow: Experiment = { ...ramp, frames: { kind: 'steady', fps: 5 } }
-  expect(together([ramp, steep, slow])).toEqual([[ramp, slow], [steep]])
+  expect(sideBySide([ramp, steep, slow])).toEqual([[ramp, slow], [steep]])
 })

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { costKinds, diagramCurves } from '../../../src/panels/measures/points.ts'
-import { layOut, nearestSpot } from '../../../src/panels/measures/diagramLayout.ts'
+import { layOutDiagram, nearestSpot } from '../../../src/panels/measures/diagramLayout.ts'
 import {
   advice,
   leastError,
@@ -43,7 +43,7 @@ describe('the curves', () => {
     const [euler] = pipe
     expect(euler!.points[0]).toMatchObject({ outcome: 'left-the-track', whole: false })
     expect(pointWords(euler!.points[0]!, costKinds[0]!)).toMatch(/^left the track, for /)
-    const { frontier, failed, top } = layOut(pipe, { width: 1000, height: 430 })
+    const { frontier, failed, top } = layOutDiagram(pipe, { width: 1000, height: 430 })
     expect(failed).toBe(top)
     expect(frontier.every(({ point }) => point.whole)).toBe(true)
   })
@@ -55,7 +55,7 @@ describe('the layout', () => {
     ['on a phone', 300],
   ])('%s has everything inside, further down where the error is less', (_, width) => {
     for (const curves of [kick, pipe]) {
-      const layout = layOut(curves, { width, height: 430 })
+      const layout = layOutDiagram(curves, { width, height: 430 })
       for (const { spots, labelY } of layout.drawn) {
         for (const { x, y, point } of spots) {
           expect(x).toBeGreaterThanOrEqual(layout.left)
@@ -85,14 +85,14 @@ describe('the layout', () => {
       // What is asked for is what comes, give or take: the tolerance for each of two seconds.
       for (const { error, setting } of points) expect(error).toBeLessThan(10 * 2 * setting)
     }
-    const layout = layOut(curves, { width: 1000, height: 430 })
+    const layout = layOutDiagram(curves, { width: 1000, height: 430 })
     expect(layout.drawn.filter(({ labelY }) => labelY !== undefined)).toHaveLength(
       integrators.length,
     )
   })
 
   test('finds the point under a finger', () => {
-    const layout = layOut(kick, { width: 1000, height: 430 })
+    const layout = layOutDiagram(kick, { width: 1000, height: 430 })
     const spot = layout.drawn[2]!.spots[4]!
     expect(nearestSpot(layout, spot.x + 2, spot.y - 1)).toBe(spot)
     expect(nearestSpot(layout, 0, 430)).toBeUndefined()

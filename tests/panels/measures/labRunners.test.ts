@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { layOut, nearestSpot, rowsOf } from '../../../src/panels/measures/diagramLayout.ts'
+import { layOutDiagram, nearestSpot, spotRows } from '../../../src/panels/measures/diagramLayout.ts'
 import { pointName } from '../../../src/panels/measures/diagramWords.ts'
 import { labRunners } from '../../../src/panels/measures/labRunners.ts'
 import { diagramCurves } from '../../../src/panels/measures/points.ts'
@@ -150,7 +150,7 @@ describe('in the picture', () => {
     labRunners(lab('half-pipe', runners).runners, shared, undefined).map(({ point }) => point!)
 
   test('a ring is around the point that is the same run, and can be gone to', () => {
-    const layout = layOut(pipe, size, points([{}, { integrator: 'rk8' }]))
+    const layout = layOutDiagram(pipe, size, points([{}, { integrator: 'rk8' }]))
     const { drawn, rings } = layout
     const { x, y } = drawn
       .find(({ curve }) => curve.method === 'midpoint')!
@@ -161,11 +161,11 @@ describe('in the picture', () => {
     const exact = drawn.find(({ curve }) => curve.method === 'rk8')!.spots.at(-1)!
     expect(rings[1]!.point.error).toBeLessThan(1e-11)
     expect(rings[1]!.y).toBe(exact.y)
-    expect(rowsOf(layout).at(-1)).toBe(rings)
+    expect(spotRows(layout).at(-1)).toBe(rings)
     expect(pointName(rings[1]!.point)).toBe('Runge–Kutta 8 in the lab, Runge–Kutta 8')
     // A click on both means the curve's, which can be loaded.
     expect(nearestSpot(layout, x, y)!.point.runner).toBeUndefined()
-    expect(rowsOf(layOut(pipe, size))).toHaveLength(pipe.length)
+    expect(spotRows(layOutDiagram(pipe, size))).toHaveLength(pipe.length)
   })
 
   test('everything is inside that is drawn, whatever the runners do', () => {
@@ -174,7 +174,7 @@ describe('in the picture', () => {
       { frames: { kind: 'steady', fps: 2 }, integrator: 'semi-implicit-euler', stopping: 'naive' },
       { frames: { kind: 'steady', fps: 1 }, integrator: 'explicit-euler' },
     ]
-    const layout = layOut(pipe, size, points(wild))
+    const layout = layOutDiagram(pipe, size, points(wild))
     expect(layout.rings).toHaveLength(3)
     for (const { x, y } of layout.rings) {
       expect(x).toBeGreaterThanOrEqual(layout.left)
@@ -188,6 +188,6 @@ describe('in the picture', () => {
 
   test('no ring is there before its method’s curve', () => {
     const some = pipe.filter(({ method }) => method !== 'midpoint')
-    expect(layOut(some, size, points([{}])).rings).toHaveLength(0)
+    expect(layOutDiagram(some, size, points([{}])).rings).toHaveLength(0)
   })
 })

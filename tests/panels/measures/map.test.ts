@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest'
 import { MapCells } from '../../../src/panels/measures/mapCells.ts'
-import { cellUnder, mapFrame, placeOf } from '../../../src/panels/measures/mapDrawing.ts'
+import { cellUnder, mapFrame, mapPlaceOf } from '../../../src/panels/measures/mapDrawing.ts'
 import { cellWords, placeText, summary } from '../../../src/panels/measures/mapWords.ts'
 import { rampColour } from '../../../src/panels/measures/mapImage.ts'
-import { coarseCell, rateAt, rateMap, valueAt } from '../../../src/measure/index.ts'
+import { coarseCell, rateAt, rateMap, rowValue } from '../../../src/measure/index.ts'
 import type { MapRequest } from '../../../src/measure/index.ts'
 import { contrast } from '../../../src/view/palette.ts'
 
@@ -50,11 +50,11 @@ test('a place goes to a cell, and the cell to its place', () => {
   expect(cellUnder(request, frame, left + 1, bottom - 1)).toEqual({ column: 0, row: 0 })
   expect(cellUnder(request, frame, right - 1, top + 1)).toEqual({ column: 23, row: 17 })
   expect(cellUnder(request, frame, left - 1, top + 1)).toBeUndefined()
-  const { column, row } = placeOf(request, rateAt(request, 7), valueAt(request, 11))!
+  const { column, row } = mapPlaceOf(request, rateAt(request, 7), rowValue(request, 11))!
   // Rates and values are round: to three and four digits, which is less than a tenth of a cell.
   expect(Math.abs(column - 7)).toBeLessThan(0.1)
   expect(Math.abs(row - 11)).toBeLessThan(0.1)
-  expect(placeOf(request, 1000, 1)).toBeUndefined()
+  expect(mapPlaceOf(request, 1000, 1)).toBeUndefined()
 })
 
 test('the ramp goes from the paper’s side to the other, evenly', () => {

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest'
 import { energyResidual, presentationErrors } from '../../../src/measure/index.ts'
 import { opening } from '../../../src/lab/state/opening.ts'
 import { drawingOf, EXACT } from '../../../src/panels/plots/curves.ts'
-import type { Drawing } from '../../../src/panels/plots/curves.ts'
+import type { PlotDrawing } from '../../../src/panels/plots/curves.ts'
 import { plotKinds } from '../../../src/panels/plots/kinds.ts'
 import { inFull, readingsAt, spoken } from '../../../src/panels/plots/readings.ts'
 import { nearestRow, tableOf } from '../../../src/panels/plots/table.ts'
@@ -18,7 +18,7 @@ function simulated(...changes: Change[]): Simulated {
   return new Simulation().run(changes.reduce(changed, opening))
 }
 
-const curve = (drawing: Drawing, paletteIndex: number) =>
+const curve = (drawing: PlotDrawing, paletteIndex: number) =>
   drawing.curves.find((each) => each.paletteIndex === paletteIndex)!
 
 /** So wide that every frame has its column. */
