@@ -7,7 +7,7 @@ import { expect, test } from 'vitest'
 type Rule = { runtime: string[]; types: string[] }
 
 /** What the lab is made of, below the panels that it can open. */
-const lab = ['lab', 'lab/state', 'lab/presets', 'lab/engines', 'lab/playback']
+const lab = ['lab', 'lab/state', 'lab/presets', 'lab/playback', 'engines']
 /** What every panel is made of. Panels are not among it: they do not know each other. */
 const panel = ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit']
 const panels = [
@@ -20,12 +20,12 @@ const rules: Record<string, Rule> = {
   measure: { runtime: ['physics'], types: [] },
   chart: { runtime: [], types: [] },
   logs: { runtime: [], types: [] },
+  engines: { runtime: [], types: ['physics'] },
   view: { runtime: ['chart'], types: ['physics'] },
   ui: { runtime: ['chart', 'view', 'lit'], types: ['physics'] },
   // Plain values: no lit, and nothing that draws.
-  'lab/state': { runtime: ['physics', 'measure', 'chart'], types: [] },
-  'lab/presets': { runtime: ['physics', 'measure', 'chart', 'lab/state'], types: [] },
-  'lab/engines': { runtime: ['physics', 'measure', 'lab/state', 'lab/presets'], types: [] },
+  'lab/state': { runtime: ['physics', 'measure', 'chart', 'engines'], types: [] },
+  'lab/presets': { runtime: ['physics', 'measure', 'chart', 'engines', 'lab/state'], types: [] },
   'lab/playback': { runtime: ['view', 'ui', 'lit'], types: ['physics'] },
   lab: { runtime: ['physics', 'measure', 'chart', 'view', 'ui', ...lab, 'lit'], types: [] },
   ...Object.fromEntries(panels.map((room) => [room, { runtime: panel, types: [] }])),
@@ -35,7 +35,17 @@ const rules: Record<string, Rule> = {
   panels: { runtime: [...panel, ...panels], types: [] },
   figures: {
     runtime: [
-      ...['physics', 'measure', 'chart', 'view', 'ui', 'lab/state', 'lab/playback', 'lit'],
+      ...[
+        'physics',
+        'measure',
+        'engines',
+        'chart',
+        'view',
+        'ui',
+        'lab/state',
+        'lab/playback',
+        'lit',
+      ],
       // The recorder of frames, and as one of the figures a diagram of the lab.
       ...['panels/record', 'panels/measures'],
     ],

@@ -10,6 +10,7 @@ import { threeStops } from './threeStops.ts'
 import { framesAndTicks } from './framesAndTicks.ts'
 import { hitch } from './hitch.ts'
 import { yourFrames } from './yourFrames.ts'
+import { yourEngine } from './yourEngine.ts'
 import { coasting } from './coasting.ts'
 import { following } from './following.ts'
 import { halfPipeEnergy } from './halfPipeEnergy.ts'
@@ -35,6 +36,7 @@ export const all: readonly Figure[] = [
   framesAndTicks,
   hitch,
   yourFrames,
+  yourEngine,
   coasting,
   following,
   halfPipeEnergy,

@@ -20,6 +20,7 @@ export const figures: readonly FigureEntry[] = [
   'frames-and-ticks',
   'hitch',
   'your-frames',
+  'your-engine',
   'coasting',
   'following',
   'half-pipe-energy',

@@ -6,7 +6,7 @@ import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
 import { allowed } from './allowed.ts'
 import { EarlyPress } from './earlyPress.ts'
-import type { LabView, OpenPanels, Panels } from './labView.ts'
+import type { LabView, Menus, OpenPanels, Panels } from './labView.ts'
 import { modeButtons, sceneTabs } from './choices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
@@ -14,7 +14,6 @@ import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
 import type { Lesson } from './lesson.ts'
-import type { EngineChoice } from './engines/choices.ts'
 import type { Preset } from './presets/preset.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
@@ -95,12 +94,8 @@ export abstract class Lab extends LitElement implements LabView {
     this.selected = Math.min(this.selected, state.runners.length - 1)
   }
 
-  get presets(): readonly Preset[] {
-    return this.panels?.presets ?? []
-  }
-
-  get engines(): readonly EngineChoice[] {
-    return this.panels?.engines ?? []
+  get menus(): Menus {
+    return this.panels?.menus ?? { presets: [], engines: [] }
   }
 
   get trajectories(): readonly Trajectory[] {

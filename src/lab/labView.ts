@@ -4,11 +4,19 @@ import type { PictureForces } from '../view/picture.ts'
 import type { Glide } from './glide.ts'
 import type { LabHistory } from './labHistory.ts'
 import type { Playback } from './playback/playback.ts'
-import type { EngineChoice } from './engines/choices.ts'
 import type { Lesson } from './lesson.ts'
+import type { EngineChoice } from './presets/engines.ts'
 import type { Preset } from './presets/preset.ts'
 import type { Change } from './state/change.ts'
 import type { Simulated } from './state/simulation.ts'
+
+/** What the menus of presets and of engines offer, and their options as lit renders them; nothing until it is loaded. */
+export interface Menus {
+  readonly presets: readonly Preset[]
+  readonly presetOptions?: unknown
+  readonly engines: readonly EngineChoice[]
+  readonly engineOptions?: unknown
+}
 
 /** What the parts of a lab see of it. */
 export interface LabView {
@@ -21,10 +29,7 @@ export interface LabView {
   readonly change: (change: Change) => string
   /** Undo and redo. */
   readonly history: LabHistory
-  /** All that there are; none until they are loaded. */
-  readonly presets: readonly Preset[]
-  /** Of the menu of engines; none until they are loaded. */
-  readonly engines: readonly EngineChoice[]
+  readonly menus: Menus
   /** The preset that it came from, until its note is closed. */
   readonly preset: Preset | undefined
   readonly load: (preset: Preset) => void
@@ -44,8 +49,7 @@ export interface Panels {
   /** The forces that the picture shows: undefined while they are switched off. */
   readonly forces?: () => PictureForces | undefined
   readonly forceDrawing?: ForceDrawing
-  readonly presets?: readonly Preset[]
-  readonly engines?: readonly EngineChoice[]
+  readonly menus?: Menus
 }
 
 export type OpenPanels = (lab: LabView & ReactiveControllerHost & HTMLElement) => Panels

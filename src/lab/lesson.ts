@@ -46,6 +46,9 @@ const common: Readonly<Record<string, string>> = {
   share: 'Share',
 }
 
+/** What an engine's name sets. */
+export const ofEngine = ['integrator', 'stopping', 'timestep']
+
 /** These would tell what is hidden. */
 const telling = ['measures', 'step', 'share']
 
@@ -87,7 +90,9 @@ function usedBy(change: Change): readonly string[] {
     case 'parameters':
       return Object.keys(change.values)
     case 'runner':
-      return Object.keys(change.values).map((key) => (key in common ? key : 'runners'))
+      return Object.keys(change.values).flatMap((key) =>
+        key === 'engine' ? ofEngine : key in common ? key : 'runners',
+      )
     case 'option':
       return [change.key === 'fps' ? 'fps' : change.of]
     case 'mode':

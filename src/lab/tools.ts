@@ -42,56 +42,39 @@ function keepFocus(button: HTMLButtonElement): void {
   })
 }
 
-/** The menu of presets. It names the one that is shown for as long as nothing of it is changed. */
-function presetMenu({ simulated, preset, load, presets }: LabView) {
-  const isShown = preset?.shown.state === simulated.state
+/** The preset that is shown, for as long as nothing of it is changed. */
+function shown({ simulated, preset }: LabView): Preset | undefined {
+  return preset?.shown.state === simulated.state ? preset : undefined
+}
+
+/** The menu of presets. It names the one that is shown. */
+function presetMenu(lab: LabView) {
+  const { presets, presetOptions } = lab.menus
   return html`<select
     class="presets"
     aria-label="Preset"
     ?data-empty=${presets.length === 0}
-    .value=${live(isShown ? String(presets.indexOf(preset)) : '-1')}
-    @change=${(event: Event) => load(presets[Number((event.target as HTMLSelectElement).value)]!)}
+    .value=${live(String(presets.indexOf(shown(lab)!)))}
+    @change=${(event: Event) => lab.load(presets[Number((event.target as HTMLSelectElement).value)]!)}
   >
     <option value="-1" disabled selected>Presets</option>
-    ${optionsOf(presets)}
+    ${presetOptions}
   </select>`
 }
 
 /** The menu of engines. It names the one whose runners are shown. */
-function engineMenu({ simulated, selected, preset, load, engines }: LabView) {
-  const isShown = preset?.shown.state === simulated.state
-  const picked = (event: Event) => {
-    const { state } = simulated
-    const choice = engines[Number((event.target as HTMLSelectElement).value)]!
-    load(choice.presetOf(state, state.runners[selected]!.frames))
-  }
+function engineMenu(lab: LabView) {
+  const { simulated, selected, menus, load } = lab
+  const { engines, engineOptions } = menus
+  const presetAt = (index: string) => engines[Number(index)]!.presetOf(simulated.state, selected)
   return html`<select
-    class="presets engines"
+    class="presets"
     aria-label="Your engine"
     ?data-empty=${engines.length === 0}
-    .value=${live(String(isShown ? engines.findIndex(({ label }) => label === preset.label) : -1))}
-    @change=${picked}
+    .value=${live(String(engines.findIndex(({ label }) => label === shown(lab)?.label)))}
+    @change=${(event: Event) => load(presetAt((event.target as HTMLSelectElement).value))}
   >
     <option value="-1" disabled selected>Your engine</option>
-    ${engines.map(({ label }, i) => html`<option value=${i}>${label}</option>`)}
+    ${engineOptions}
   </select>`
-}
-
-const options = new WeakMap<readonly Preset[], unknown>()
-
-/** Made once: they are many, and never change. */
-function optionsOf(presets: readonly Preset[]): unknown {
-  const known = options.get(presets)
-  if (known) return known
-  const groups = [...new Set(presets.map(({ group }) => group))]
-  const made = groups.map(
-    (name) =>
-      html`<optgroup label=${name}>
-        ${presets.map(({ group, label }, i) =>
-          group === name ? html`<option value=${i}>${label}</option>` : '',
-        )}
-      </optgroup>`,
-  )
-  options.set(presets, made)
-  return made
 }

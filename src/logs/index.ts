@@ -7,9 +7,10 @@ import { findHeadings, namesColumns, readTable } from './table.ts'
 
 export { LogError } from './logError.ts'
 export type { Candidate } from './series.ts'
+export type { Unit } from './units.ts'
 
 /**
- * Reads frame times from the log of a tool: PresentMon, OCAT, CapFrameX, MangoHud, FRAPS, Afterburner, or a bare list.
+ * Reads frame times from the log of a tool: PresentMon, OCAT, CapFrameX, MangoHud, FRAPS, Afterburner, a trace of Chrome, or a bare list.
  * Yields how much is read, 0 … 1, so that the caller can pause; returns what the log can be read as, the likeliest first.
  *
  * @throws LogError where no frame time can be read

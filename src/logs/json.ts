@@ -1,6 +1,7 @@
 import { LogError } from './logError.ts'
 import { Series } from './series.ts'
 import type { Candidate } from './series.ts'
+import { eventsIn, readTrace } from './trace.ts'
 
 type Loose = Readonly<Record<string, unknown>>
 
@@ -8,13 +9,17 @@ type Loose = Readonly<Record<string, unknown>>
 const lengths = { rank: 0, isClock: false }
 const LENGTHS = ['MsBetweenPresents', 'MsBetweenDisplayChange']
 
-/** Frame times in JSON: a capture of CapFrameX, or a list of numbers. */
+/** Frame times in JSON: a trace of Chrome, a capture of CapFrameX, or a list of numbers. */
 export function* readJson(text: string): Generator<number, Candidate[]> {
   const value = parsed(text)
+  const events = eventsIn(value)
+  if (events) return yield* readTrace(events)
   if (Array.isArray(value)) return [yield* seriesOf(value).candidate('', '', lengths)]
   const runs = isObject(value) ? value.Runs : undefined
   if (!Array.isArray(runs))
-    throw new LogError('This JSON holds neither runs of CapFrameX nor a list of frame times.')
+    throw new LogError(
+      'This JSON holds neither a trace of Chrome, runs of CapFrameX nor a list of frame times.',
+    )
   const candidates: Candidate[] = []
   for (const [i, run] of (runs as unknown[]).entries()) {
     const data = isObject(run) && isObject(run.CaptureData) ? run.CaptureData : {}
@@ -34,7 +39,18 @@ function parsed(text: string): unknown {
   try {
     return JSON.parse(text)
   } catch (error) {
+    const cut = eventsIn(cutOff(text))
+    if (cut) return cut
     throw new LogError(`This begins like JSON, but is none: ${(error as Error).message}`)
+  }
+}
+
+/** A trace may end without its bracket, where the browser was closed. */
+function cutOff(text: string): unknown {
+  try {
+    return JSON.parse(`${text.trimEnd().replace(/,$/, '')}]`)
+  } catch {
+    return undefined
   }
 }
 

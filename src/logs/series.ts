@@ -1,6 +1,6 @@
 import { readCell } from './cell.ts'
 import type { Meaning } from './columns.ts'
-import { perSecond, unitBySize, unitNamed } from './units.ts'
+import { perSecond, unitBySize, unitNamed, units } from './units.ts'
 import type { Unit } from './units.ts'
 
 /** The shortest and the longest frame that the clock `recorded` takes [s]. */
@@ -23,6 +23,10 @@ export interface Candidate {
   /** Whose they are, where the log says so. */
   readonly process: string
   readonly unit: Unit
+  /** Those in which its usual value is a frame that the clock takes. */
+  readonly units: readonly Unit[]
+  /** The same column, read in another of them. */
+  readonly inUnit: (unit: Unit) => Candidate
   /** The column holds instants; these are the times between them. */
   readonly isClock: boolean
   /** How long the frames are, in whole microseconds that add up to the log's length [s]. */
@@ -61,11 +65,27 @@ export class Series {
     this.lines.push(line)
   }
 
-  /** The frame times that the column stands for; yields now and then, so that the caller can pause. */
-  *candidate(column: string, process: string, meaning: Meaning): Generator<number, Candidate> {
+  /**
+   * The frame times that the column stands for, in its unit or else in the one that its heading or its size tells; yields
+   * now and then, so that the caller can pause.
+   */
+  *candidate(
+    column: string,
+    process: string,
+    meaning: Meaning,
+    given?: Unit,
+  ): Generator<number, Candidate> {
     const { values } = this
     const isClock = meaning.isClock && this.mostlyRises()
-    const unit = unitNamed(column) ?? unitBySize(this.usual(isClock))
+    const usual = this.usual(isClock)
+    const likely = units.filter(
+      (each) => whyNot(usual / perSecond[each], undefined, isClock) === '',
+    )
+    const named = unitNamed(column)
+    // A heading that names a unit in which no frame is possible names another thing.
+    const told =
+      named && (likely.includes(named) || likely.length === 0) ? named : unitBySize(usual)
+    const unit = given ?? told
     const durations = new Float64Array(values.length)
     const reasons: LeftOut[] = []
     let [frames, leftOut, before, time, ticks] = [0, 0, NaN, 0, 0]
@@ -91,7 +111,11 @@ export class Series {
       if (frames % 20_000 === 0) yield 1
     }
     const own = durations.slice(0, frames)
-    return { column, process, unit, isClock, durations: own, leftOut, reasons }
+    const inUnit = (other: Unit) => whole(this.candidate(column, process, meaning, other))
+    return {
+      ...{ column, process, unit, units: likely, inUnit },
+      ...{ isClock, durations: own, leftOut, reasons },
+    }
   }
 
   /** The median of what is positive, of as many rows as tell its size. */
@@ -116,6 +140,13 @@ export class Series {
     }
     return rises >= 9 * falls
   }
+}
+
+/** What a generator returns, without a pause. */
+function whole<T>(generator: Generator<unknown, T>): T {
+  let step = generator.next()
+  while (!step.done) step = generator.next()
+  return step.value
 }
 
 function whyNot(length: number, text: string | undefined, isClock: boolean): string {

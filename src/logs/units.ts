@@ -4,6 +4,8 @@ export type Unit = 's' | 'ms' | 'µs' | 'ns'
 /** How many of a unit make a second. */
 export const perSecond: Readonly<Record<Unit, number>> = { s: 1, ms: 1e3, µs: 1e6, ns: 1e9 }
 
+export const units = Object.keys(perSecond) as readonly Unit[]
+
 /** The unit that a column's heading names, as in `msBetweenPresents`, `Time (ms)`, `frame_time_us`, `TimeInSeconds`. */
 export function unitNamed(heading: string): Unit | undefined {
   const [, bracketed] = /[([]\s*([a-zµμ]+)\.?\s*[)\]]/i.exec(heading) ?? []

@@ -4,11 +4,10 @@ import { allowed } from '../lab/allowed.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
-import { engineChoices } from '../lab/engines/choices.ts'
 import { presetNote } from '../lab/notices.ts'
-import { presets } from '../lab/presets/index.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
+import { menus } from './menus.ts'
 import { parametersPanel } from './parameters/parametersPanel.ts'
 import { runnersTable } from './runners/runnersTable.ts'
 import './measures/labMeasures.ts'
@@ -24,8 +23,7 @@ export const instruments: OpenPanels = (lab) => {
   return {
     glide: new Glide(lab),
     note: () => presetNote(lab),
-    presets,
-    engines: engineChoices,
+    menus,
     forces: () => forces.vectors(),
     forceDrawing,
     below() {

@@ -63,6 +63,13 @@ describe('a lesson', () => {
   })
 })
 
+test('an engine’s name sets three things, and takes all three controls', () => {
+  const change: Change = { kind: 'runner', index: 0, values: { engine: 'Box2D' } }
+  const refusal = (controls: string) => lessonOf({ controls }).lesson!.refusal(change)
+  expect(refusal('integrator stopping timestep')).toBe('')
+  expect(refusal('integrator stopping runners')).not.toBe('')
+})
+
 describe('in an address', () => {
   test.each([
     [{ locked: true }, 'locked=1'],

@@ -22,7 +22,8 @@ describe('a log', () => {
       expect(best!.unit).toBe(units[tool as keyof typeof units] ?? 'ms')
       expect(best!.leftOut).toBe(0)
       // A byte order mark and the ends of lines of another system change nothing.
-      expect(read(`\ufeff${text.replaceAll('\r\n', '\n')}\n\n`)[0]).toEqual(best)
+      const again = read(`\ufeff${text.replaceAll('\r\n', '\n')}\n\n`)[0]
+      expect(again).toEqual({ ...best, inUnit: again!.inUnit })
     },
   )
 
@@ -78,6 +79,70 @@ describe('a log', () => {
   })
 })
 
+describe('a unit', () => {
+  test('is offered where a usual frame could be in it, and chosen by hand reads the column anew', () => {
+    const [best] = read(frames.map((us) => us / 1000).join('\n'))
+    expect([best!.unit, ...best!.units]).toEqual(['ms', 's', 'ms', 'µs'])
+    const inSeconds = best!.inUnit('s')
+    // Of 50.123 s and 16.7 s: to the microsecond as before.
+    expect([...inSeconds.durations]).toEqual(frames.map((us) => us / 1000))
+    expect(inSeconds).toMatchObject({ unit: 's', units: best!.units, leftOut: 0 })
+    expect([...inSeconds.inUnit('ms').durations]).toEqual(seconds)
+    expect(best!.inUnit('µs').durations[12]).toBe(5e-5)
+  })
+
+  test('that a heading names is not believed where no frame could be in it', () => {
+    const [best] = read(['frametime (s)', ...frames].join('\n'))
+    expect(best).toMatchObject({ unit: 'µs', leftOut: 0 })
+    expect([...best!.durations]).toEqual(seconds)
+  })
+})
+
+describe('a trace of Chrome', () => {
+  const start = 81_234_567_890
+  const starts = [0, ...frames].map((_, i) =>
+    frames.slice(0, i).reduce((sum, each) => sum + each, start),
+  )
+  const at = (name: string, ts: number, tid: number, ph = 'I') => ({ name, ph, ts, pid: 41, tid })
+  const drawn = starts.map((ts) => at('DrawFrame', ts, 7))
+  const main = starts
+    .slice(3)
+    .flatMap((ts) => [at('AnimationFrame', ts, 1, 'b'), at('AnimationFrame', ts + 900, 1, 'e')])
+  const events = [
+    { name: 'thread_name', ph: 'M', pid: 41, tid: 7, args: { name: 'Compositor' } },
+    { name: 'process_labels', ph: 'M', pid: 41, tid: 0, args: null },
+    ...main,
+    at('Layout', start, 1),
+    // Not in the order of time.
+    ...drawn.slice(20),
+    ...drawn.slice(0, 20),
+    at('BeginFrame', start, 7),
+    null,
+  ]
+
+  test.each([
+    ['as DevTools saves it', JSON.stringify({ metadata: {}, traceEvents: events })],
+    ['as a list', JSON.stringify(events, undefined, 1)],
+    ['as a list that was cut off', `${JSON.stringify(events).slice(0, -1)},\n`],
+  ])('%s gives the time between the frames of a thread', (_, text) => {
+    const all = read(text)
+    expect(all.map(({ column, process, unit }) => [column, process, unit])).toEqual([
+      ['DrawFrame', 'Compositor 7 of process 41', 'µs'],
+      ['AnimationFrame', 'Thread 1 of process 41', 'µs'],
+    ])
+    expect([...all[0]!.durations]).toEqual(seconds)
+    expect([...all[1]!.durations]).toEqual(seconds.slice(3))
+  })
+
+  test('is in µs however short its frames are, and says what it misses', () => {
+    const quick = Array.from({ length: 20 }, (_, i) => at('DrawFrame', 900 * i, 7))
+    expect(read(JSON.stringify(quick))[0]!.durations[3]).toBe(0.0009)
+    expect(() => read(JSON.stringify({ traceEvents: [at('Layout', 1, 1)] }))).toThrow(
+      'This trace holds no event of a frame: DrawFrame, AnimationFrame, BeginMainThreadFrame, BeginFrame.',
+    )
+  })
+})
+
 describe('rows that are no frames', () => {
   test('are left out, each with its line and the reason', () => {
     const cells = ['16.6', '0', '-3', 'NaN', '', '17.1', '1e9', '0.001', '1,000']
@@ -116,7 +181,7 @@ describe('rows that are no frames', () => {
 test.each([
   ['', 'There is nothing in it.'],
   ['\n  \n# a comment', 'There is nothing in it.'],
-  ['{"scene": "ramp"}', 'neither runs of CapFrameX nor a list'],
+  ['{"scene": "ramp"}', 'neither a trace of Chrome, runs of CapFrameX nor a list'],
   ['{"Runs": [{}]}', 'has a list MsBetweenPresents'],
   ['[16.6, 17', 'begins like JSON, but is none'],
   ['\nday,kind,height\n1,2,3', 'Line 2: none of its columns is named as a frame time'],

@@ -49,6 +49,7 @@ const settings = {
   // A busy machine is no endless loop.
   timeoutMS: 3000,
   timeoutFactor: 2,
+  dryRunTimeoutMinutes: 60,
   mutate: ['src/physics/**/*.ts'],
   // The copy is the sandbox.
   inPlace: true,

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { engines } from '../../src/lab/engines/index.ts'
+import { engines } from '../../src/engines/index.ts'
 import { openLab } from './labPage.ts'
 
 test('the menu of engines sets the runners, says what was left out, and is undone', async () => {
@@ -16,7 +16,7 @@ test('the menu of engines sets the runners, says what was left out, and is undon
   for (const { timestep } of runners)
     expect(timestep).toMatchObject({ kind: 'fixed', step: 1 / 60, maxSteps: 8, draw: 'latest' })
   expect(await note.innerText()).toContain('Left out: the jitter fix')
-  await lab.address(/fixed\(step:1\/60,maxSteps:8,draw:latest\)/)
+  await lab.address(/runners=45\/godot;144\/godot$/)
 
   await menu.selectOption({ label: 'Compare engines' })
   expect((await lab.state()).runners.map(({ frames }) => frames)).toEqual(
@@ -27,5 +27,38 @@ test('the menu of engines sets the runners, says what was left out, and is undon
   await page.locator('.tools .step').first().click()
   expect(await lab.state()).toEqual(before)
   expect(await menu.locator('option:checked').innerText()).toBe('Your engine')
+  expect(problems).toEqual([])
+})
+
+test('a runner’s own menu makes it an engine’s, in its link too, until its method is changed', async () => {
+  const { page, address, state, problems } = await openLab('runners=45;45')
+  const row = page.locator('slide-runner-row').nth(1)
+  const menu = row.getByRole('combobox', { name: /^Engine, / })
+  await menu.focus()
+  await page.keyboard.type('Godot')
+  await address(/runners=45;45\/godot$/)
+  expect((await state()).runners.map(({ engine }) => engine)).toEqual([undefined, 'Godot 4'])
+  // The menu keeps the focus, and the note says what it does.
+  expect(await menu.evaluate((element) => element === document.activeElement)).toBe(true)
+  expect(await page.locator('.runners .notes').innerText()).toContain('Left out: the jitter fix')
+  expect(await row.locator('.runner').getAttribute('aria-label')).toBe('Godot 4')
+  await row.getByRole('combobox', { name: /^Stopping, / }).selectOption('located')
+  await address(/runners=45;45\/fixed\(.*\)\/semi-implicit-euler$/)
+  expect(await menu.locator('option:checked').innerText()).toBe('none')
+  expect(await page.locator('.runners .notes').innerText()).not.toContain('Left out')
+  expect(problems).toEqual([])
+})
+
+test('the figure moves the kick as the chosen engine does, and says what to change in it', async () => {
+  const { page, problems } = await openLab()
+  const figure = page.locator('#figure-your-engine slide-figure')
+  await figure.scrollIntoViewIfNeeded()
+  await figure.getByLabel('Engine').selectOption({ label: 'Godot 4' })
+  await figure.getByText('hitches of 0.4 s').click()
+  const says = figure.locator('[part="outcome"]')
+  await expect.poll(() => says.innerText()).toContain('in one place. The slowest game loses 0.53')
+  expect(await figure.innerText()).toContain('set Physics Ticks per Second to 120')
+  await figure.getByText('on the safe side', { exact: true }).click()
+  await expect.poll(() => says.innerText()).toMatch(/in one place\.$/)
   expect(problems).toEqual([])
 })

@@ -57,8 +57,8 @@ test('another column and a part of the log can be taken by keyboard alone', asyn
   await expect
     .poll(() => sample(page).locator('.summary').innerText())
     .toContain('29 frames in 0.5 s, median 16.7 ms, longest 50.1 ms, from the differences of')
-  await page.keyboard.press('Tab')
-  await page.keyboard.press('Tab')
+  // Over the unit and the slider.
+  for (let i = 0; i < 3; i++) await page.keyboard.press('Tab')
   await page.keyboard.type('0.25')
   await page.keyboard.press('Enter')
   await expect
@@ -84,7 +84,17 @@ test('a drop and a paste are read alike, and rows that are left out are named', 
   await expect
     .poll(() => sample(page).locator('.summary').innerText())
     .toContain('3 frames in 0.1 s')
+  await sample(page).getByLabel('Unit').selectOption('s')
+  await expect
+    .poll(() => sample(page).locator('.summary').innerText())
+    .toBe('3 frames in 66.6 s, median 16\u202f700 ms, longest 33\u202f300 ms, from a list in s.')
+  await sample(page).getByLabel('Unit').selectOption('ms')
+  await press(page, 'Close the log')
+  await press(page, 'Paste a log')
+  await page.keyboard.type('16,7\n16,6\n33,3')
+  await press(page, 'Read it')
   // Its button is gone: the focus goes to what was read, which is read aloud.
+  await expect.poll(() => sample(page).count()).toBe(1)
   expect(await page.evaluate(() => document.activeElement!.getAttribute('aria-label'))).toContain(
     'What was pasted: 3 frames in 0.1 s',
   )

@@ -38,7 +38,7 @@ describe('code', () => {
     expect(new Set(widths).size).toBe(1)
   })
 
-  test('to take home has a tab a language, by mouse and by keyboard', async () => {
+  test('to take home has a tab a language and a choice of dimensions, by mouse and by keyboard', async () => {
     const { page } = await openPage()
     const tabs = page.locator('.take-home').getByRole('tab')
     expect(await tabs.allTextContents()).toEqual([
@@ -52,6 +52,14 @@ describe('code', () => {
     expect(await shown.getAttribute('id')).toBe('take-home-cs')
     expect(await tabs.nth(2).getAttribute('aria-selected')).toBe('true')
     expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('C# (Unity)')
+    const three = page.getByRole('group', { name: 'Dimensions' }).getByText('3D')
+    await three.click()
+    expect(await three.getAttribute('aria-pressed')).toBe('true')
+    expect(await shown.getAttribute('id')).toBe('take-home-cs-3d')
+    expect(await shown.locator('code').first().textContent()).toContain('Vector3')
+    await tabs.nth(0).click()
+    expect(await shown.getAttribute('id')).toBe('take-home-ts-3d')
+    expect(await tabs.nth(0).getAttribute('aria-controls')).toBe('take-home-ts-3d')
   })
 })
 

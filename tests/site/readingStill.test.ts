@@ -52,7 +52,7 @@ test('on paper there is nothing to press, and ink on white', async () => {
   })
   await page.emulateMedia({ media: 'print', colorScheme: 'light' })
   expect(await page.locator('button:visible, [role="slider"]:visible').count()).toBe(0)
-  expect(await page.locator('.take-home pre:visible').count()).toBe(4)
+  expect(await page.locator('.take-home pre:visible').count()).toBe(8)
   const ink = await page
     .locator('.text p')
     .first()

@@ -47,6 +47,7 @@ function build(text: string, others: Partial<Materials> = {}) {
     figures: [ball],
     takeHome: [
       { path: 'home/step.ts', text: '// #region all\nlet a = 1\n// #endregion\n' },
+      { path: 'home/step3d.ts', text: 'let b = 1\n' },
       { path: 'home/step.cpp', text: 'int a = 1;\n' },
     ],
     read: (path) => (path === 'src/a.ts' ? source.join('\n') : undefined),
@@ -266,11 +267,12 @@ describe('code', () => {
     expect(problems(`\`\`\`${info}\n\`\`\``)).toEqual([`3: ${message}`])
   })
 
-  test('to take home comes in all its languages', () => {
+  test('to take home comes in all its languages, those of two dimensions first', () => {
     const built = html('```take-home\n```')
-    expect(built).toContain('<p class="tab">TypeScript</p>')
-    expect(built).toContain('<p class="tab">C++ (Unreal)</p>')
-    expect(lines(built)).toEqual(['let a = 1', 'int a = 1;'])
+    expect(built).toContain('<p class="tab">TypeScript, 2D</p>')
+    expect(built).toContain('<p class="tab">C++ (Unreal), 2D</p>')
+    expect(built).toContain('id="take-home-ts-3d"')
+    expect(lines(built)).toEqual(['let a = 1', 'int a = 1;', 'let b = 1'])
   })
 
   function lines(built: string): string[] {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { readValues } from '../../src/figures/shared/control.ts'
 import { figures } from '../../src/figures/index.ts'
-import { mechanicalEnergy } from '../../src/measure/index.ts'
+import { mechanicalEnergy, spreadOf } from '../../src/measure/index.ts'
 import { exact, forcesAt, length, simulate } from '../../src/physics/index.ts'
 import type { Trajectory } from '../../src/physics/index.ts'
 import { values } from '../../src/tutorial/facts/index.ts'
@@ -69,6 +69,8 @@ describe('the numbers of the prose are those of the figures', () => {
     expect(off(variable!)).toBe(values.hitchVariable())
     expect(off(substeps!)).toBe(values.hitchSubsteps())
     expect(capped!.lostTime).toBe(values.hitchLost())
+    const players = await runsOf('your-engine')
+    expect(spreadOf(players).distance).toBe(values.engineApart())
     const [ticks] = await runsOf('frames-and-ticks')
     expect(ticks!.experiment.timestep).toMatchObject({ kind: 'fixed', step: 1 / 20 })
   })

@@ -3,6 +3,8 @@ import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from '
 import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
 import { afterAll, describe, expect, it } from 'vitest'
+import { cases3d, furthestOff3d } from './take-home/cases3d.ts'
+import { slid } from './take-home/slid.ts'
 import { cases, casesText, furthestOff, rowsOf } from './take-home/cases.ts'
 
 const step = resolve(import.meta.dirname, '../../src/tutorial/take-home')
@@ -23,9 +25,10 @@ function title(language: string, tool: string | undefined, wanted: string): stri
   return missing
 }
 
-function run(command: string, args: readonly string[]): string {
+/** What a program writes. One that does not read what it is given fails on that: compilers are given nothing. */
+function run(command: string, args: readonly string[], input = ''): string {
   return execFileSync(command, args, {
-    input: casesText(),
+    input,
     cwd: folder,
     encoding: 'utf8',
     maxBuffer: 2 ** 26,
@@ -33,10 +36,18 @@ function run(command: string, args: readonly string[]): string {
 }
 
 function expectSame(output: string, tolerance: (frames: number) => number): void {
-  rowsOf(output).forEach((rows, i) => {
+  const { flat, inSpace } = rowsOf(output)
+  flat.forEach((rows, i) => {
     const one = cases[i]!
     expect(rows.length, one.name).toBe(one.frames.length)
     expect(furthestOff(one, rows), one.name).toBeLessThan(tolerance(rows.length))
+  })
+  inSpace.forEach((rows, i) => {
+    const one = cases3d[i]!
+    expect(rows.length, one.name).toBe(one.frames.length)
+    // A step has some hundred parts at most in the frame in which it stops, and a few in any other.
+    const bound = 10 * tolerance(rows.length + 300)
+    expect(furthestOff3d(rows, slid(one)), one.name).toBeLessThan(bound)
   })
 }
 
@@ -52,15 +63,15 @@ describe('the step to take home in other languages', () => {
     const program = join(folder, 'step')
     const strict = ['-std=c++17', '-Wall', '-Wextra', '-Werror', '-ffp-contract=off']
     run(compiler!, [...strict, '-I', here, '-I', step, join(here, 'main.cpp'), '-o', program])
-    expectSame(run(program, []), double)
+    expectSame(run(program, [], casesText()), double)
   })
 
   const dotnet = found(['dotnet']) ?? (found(['mono']) && found(['mcs']))
   it.skipIf(!dotnet)(title('C#', dotnet, 'dotnet or mcs'), { timeout: 120000 }, () => {
-    const files = [join(step, 'Step.cs'), join(here, 'Main.cs')]
+    const files = [join(step, 'Step.cs'), join(step, 'Step3D.cs'), join(here, 'Main.cs')]
     if (dotnet === 'mcs') {
       run('mcs', ['-out:step.exe', ...files])
-      return expectSame(run('mono', ['step.exe']), single)
+      return expectSame(run('mono', ['step.exe'], casesText()), single)
     }
     const version = /^\d+/.exec(execFileSync('dotnet', ['--version'], { encoding: 'utf8' }))![0]
     writeFileSync(
@@ -70,13 +81,13 @@ describe('the step to take home in other languages', () => {
 </PropertyGroup><ItemGroup>${files.map((file) => `<Compile Include="${file}" />`).join('')}</ItemGroup></Project>`,
     )
     run('dotnet', ['build', '--output', 'built'])
-    expectSame(run('dotnet', [join('built', 'step.dll')]), single)
+    expectSame(run('dotnet', [join('built', 'step.dll')], casesText()), single)
   })
 
   const godot = found(['godot', 'godot4'])
   it.skipIf(!godot)(title('GDScript', godot, 'godot'), { timeout: 120000 }, () => {
     writeFileSync(join(folder, 'project.godot'), 'config_version=5\n')
-    copyFileSync(join(step, 'step.gd'), join(folder, 'step.gd'))
+    for (const file of ['step.gd', 'step3d.gd']) copyFileSync(join(step, file), join(folder, file))
     const numbers = casesText()
       .split('\n')
       .map((line) => `\t[${line.split(' ').map(decimal).join(', ')}],`)

@@ -47,7 +47,8 @@ interface ControlState {
 
 function oneOf(control: Control, state: ControlState, value: Value, pick: Pick) {
   if (control.type === 'number') return slider(control, state, value as number, pick)
-  if (control.type === 'choice') return choice(control, state, value as string, pick)
+  if (control.type === 'choice')
+    return (control.menu ? menuOf : choice)(control, state, value as string, pick)
   if (control.type === 'switch') return toggle(control, value as boolean, pick)
   return html`<slide-frames-recorder .pick=${pick}></slide-frames-recorder>`
 }
@@ -105,6 +106,30 @@ function choice(
       )}
     </div>
   </fieldset>`
+}
+
+function menuOf(
+  { label, options }: ChoiceControl,
+  { id, isIdle }: ControlState,
+  value: string,
+  pick: Pick,
+) {
+  return html`<div class="choice">
+    <label for=${id}>${label}</label>
+    <select
+      id=${id}
+      ?disabled=${isIdle}
+      .value=${live(value)}
+      @change=${(event: Event) => pick((event.target as HTMLSelectElement).value)}
+    >
+      ${options.map(
+        (option) =>
+          html`<option value=${option.id} ?selected=${option.id === value}>
+            ${option.label}
+          </option>`,
+      )}
+    </select>
+  </div>`
 }
 
 function toggle({ label, about }: SwitchControl, value: boolean, pick: Pick) {

@@ -43,6 +43,7 @@ export function face(shown: Face) {
         hides('outcome')
           ? nothing
           : html`<p class="says" part="outcome">${says}</p>
+              ${figure.advice ? html`<p class="says">${figure.advice.text(values)}</p>` : nothing}
               <p class="visually-hidden" aria-live="polite">${spoken}</p>`
       }
     </div>`

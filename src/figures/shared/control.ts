@@ -26,6 +26,8 @@ export interface ChoiceControl {
   readonly label: string
   readonly options: readonly { readonly id: string; readonly label: string }[]
   readonly initial: string
+  /** There are more than buttons have room for. */
+  readonly menu?: true
   readonly hidden?: true
 }
 

@@ -63,6 +63,8 @@ export interface Figure<V = ControlValues> {
   /** The outcome, in a sentence or two. */
   says(values: V, runs: readonly Trajectory[], time: number): string
   readings?(values: V, runs: readonly Trajectory[], time: number): readonly FigureReading[]
+  /** What to do about it, in a paragraph below the outcome, and how many letters the longest such text has. */
+  readonly advice?: { text(values: V): string; readonly longest: number }
   /** It can be played, for so long [s]; 0 while there is nothing to play. */
   duration?(values: V): number
   /** It opens at the start of its time, not at the end. */

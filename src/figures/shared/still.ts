@@ -55,6 +55,8 @@ const ROOM = 2.25
 
 /** The lines that the longest sentence of a figure takes in a wide figure, and in a narrow one. */
 const LINES = { wide: 3, narrow: 5 }
+/** The letters that a line of advice holds. */
+const LETTERS = { wide: 105, narrow: 49 }
 
 /** The figure's room as the text of a style attribute; the still at build time and the live figure have the same. */
 export function frameOf(figure: Figure): string {
@@ -77,14 +79,16 @@ function below(figure: Figure, width: 'wide' | 'narrow'): number {
     (figure.duration || figure.action ? 1 : 0)
   const count = readingCount(figure)
   const readings = narrow ? Math.ceil(count / 2) : Math.min(1, count)
-  return Number((ROOM + rows * ROW + readings * READINGS + LINES[width] * LINE).toFixed(3))
+  const advice = figure.advice ? Math.ceil(figure.advice.longest / LETTERS[width]) : 0
+  const lines = LINES[width] + advice
+  return Number((ROOM + rows * ROW + readings * READINGS + lines * LINE).toFixed(3))
 }
 
 /** A choice is one row; on a narrow page, its name and as many as its buttons take. */
 function rowsOf(control: Control, narrow: boolean): number {
   // With small words beside it that take a second line on a narrow page.
   if (control.type === 'switch') return narrow ? 1.1 : 1
-  if (control.type !== 'choice' || !narrow) return 1
+  if (control.type !== 'choice' || control.menu || !narrow) return 1
   return 0.5 + 0.85 * linesOf(control.options.map(({ label }) => 7.2 * label.length + 30))
 }
 

@@ -84,6 +84,12 @@ const rows: readonly (readonly [id: string, label: string, watch: string, addres
     `runners=${busy}/${paper};${busy}/capped(cap:1/60)/${paper};${busy}/fixed(step:1/60)/${paper};${busy}`,
   ],
   [
+    'your-engine',
+    'Three players, one engine',
+    'Choose your own engine in the menu beside this one, and read what it does with these frames.',
+    `duration=1.5&runners=${['20', '60', '144'].map((fps) => `${fps}/capped(cap:1/3)/${paper}`).join(';')}`,
+  ],
+  [
     'half-pipe-energy',
     'Energy in a half-pipe',
     'In the plot of the energy, explicit Euler climbs until its block is out; the others stay level.',

@@ -1,6 +1,7 @@
 import type { ExperimentError, Scene, SceneId } from '../../physics/index.ts'
 import { withParameters } from '../../measure/index.ts'
 import { checked, MOST_RUNNERS } from './check.ts'
+import type { DraftRunner } from './check.ts'
 import { modes } from './modes.ts'
 import type { ModeId } from './modes.ts'
 import { openingOf } from './opening.ts'
@@ -12,7 +13,7 @@ export type Change =
   | { kind: 'parameters'; values: Readonly<Record<string, unknown>> }
   | { kind: 'duration'; duration: unknown }
   | { kind: 'mode'; mode: ModeId }
-  | { kind: 'runner'; index: number; values: Partial<RunnerState> }
+  | { kind: 'runner'; index: number; values: Partial<DraftRunner> }
   | { kind: 'option'; index: number; of: 'frames' | 'timestep'; key: string; value: unknown }
   | { kind: 'add'; frames?: RunnerState['frames'] }
   | { kind: 'duplicate'; index: number }
@@ -34,7 +35,10 @@ export function changed(state: LabState, change: Change): LabState {
       return checked({ ...state, duration: change.duration })
     case 'mode': {
       const { method } = modes.find(({ id }) => id === change.mode)!
-      return checked({ ...state, runners: state.runners.map((each) => ({ ...each, ...method })) })
+      return checked({
+        ...state,
+        runners: state.runners.map((each) => ({ ...each, engine: undefined, ...method })),
+      })
     }
     case 'runner':
       return checked(withRunner(state, change.index, change.values))
@@ -55,8 +59,12 @@ export function changed(state: LabState, change: Change): LabState {
   }
 }
 
-function withRunner(state: LabState, index: number, values: object) {
-  const runners = state.runners.map((each, i) => (i === index ? { ...each, ...values } : each))
+/** A method that is changed is no engine's, unless the values say which. */
+function withRunner(state: LabState, index: number, values: Partial<DraftRunner>) {
+  const isMethod = !('frames' in values || 'hidden' in values)
+  const runners = state.runners.map((each, i) =>
+    i === index ? { ...each, engine: isMethod ? undefined : each.engine, ...values } : each,
+  )
   return { ...state, runners }
 }
 

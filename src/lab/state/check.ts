@@ -49,7 +49,8 @@ export function checked(draft: Draft): LabState {
         experimentOf(draft as LabState, runner as RunnerState),
       )
       shared = { scene, parameters, duration }
-      runners.push({ ...own, paletteIndex, hidden: runner.hidden === true })
+      const engine = runner.engine as RunnerState['engine']
+      runners.push({ ...own, paletteIndex, hidden: runner.hidden === true, engine })
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
       for (const { path, message } of error.problems)

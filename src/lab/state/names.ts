@@ -10,6 +10,7 @@ import type { RunnerState } from './state.ts'
 export function namesOf(runners: readonly RunnerState[]): string[] {
   const parts = runners.map((runner) => [
     framesText(runner),
+    runner.engine,
     label(integrators, runner.integrator),
     label(stoppings, runner.stopping),
     label(timesteps, runner.timestep.kind),

@@ -1,3 +1,4 @@
+import { engines } from '../../engines/index.ts'
 import { defaults, frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Option, Options, Problem } from '../../physics/index.ts'
 import { writeNumber } from '../../chart/numbers.ts'
@@ -14,7 +15,7 @@ import type { RunnerState } from './state.ts'
  *
  * A number is a steady frame rate. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
  * rule, with its options in brackets; the items of a list stand with `+` between, or as durationCode.ts writes them
- * where that is shorter. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is
+ * where that is shorter. The id of an engine stands for its timestep, integrator and stopping rule. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is
  * left out is at the default of an experiment, so the example begins with velocity Verlet, located stops and a variable
  * step at 10 fps.
  */
@@ -36,14 +37,21 @@ export function readRunners(text: string, problems: Problem[]): DraftRunner[] {
 }
 
 function writeRunner(runner: RunnerState, turn: number): string {
-  const { frames, timestep, integrator, stopping, paletteIndex, hidden } = runner
+  const { frames, paletteIndex, hidden } = runner
   const words = [frames.kind === 'steady' ? writeNumber(frames.fps) : call(frames, frameClocks)]
-  if (timestep.kind !== defaults.timestep.kind) words.push(call(timestep, timesteps))
-  if (integrator !== defaults.integrator) words.push(integrator)
-  if (stopping !== defaults.stopping) words.push(stopping)
+  const engine = engines.find(({ label }) => label === runner.engine)
+  words.push(...(engine ? [engine.id] : writeMethod(runner)))
   if (paletteIndex !== turn) words.push(`look(${paletteIndex})`)
   if (hidden) words.push('hidden')
   return words.join('/')
+}
+
+function writeMethod({ timestep, integrator, stopping }: RunnerState): string[] {
+  const words: string[] = []
+  if (timestep.kind !== defaults.timestep.kind) words.push(call(timestep, timesteps))
+  if (integrator !== defaults.integrator) words.push(integrator)
+  if (stopping !== defaults.stopping) words.push(stopping)
+  return words
 }
 
 /** An entry of a list with its options, as `fixed(step:1/60)`. Options that can be left out and are as they begin are. */
@@ -82,18 +90,22 @@ function readRunner(text: string, turn: number, problems: Problem[]): DraftRunne
   const runner: Record<keyof RunnerState, unknown> = {
     ...{ frames: defaults.frames, timestep: defaults.timestep },
     ...{ integrator: defaults.integrator, stopping: defaults.stopping },
-    ...{ paletteIndex: turn, hidden: false },
+    ...{ paletteIndex: turn, hidden: false, engine: undefined },
   }
+  // What is said after an engine changes it.
+  const method = (values: object) => Object.assign(runner, { engine: undefined }, values)
   for (const word of split(text, '/')) {
     const [, id = word, inside] = /^([^()]*)(?:\((.*)\))?$/s.exec(word) ?? []
     const rate = readNumber(word)
+    const engine = engines.find((each) => each.id === word)
     const clock = frameClocks.find((each) => each.id === id)
     const policy = timesteps.find((each) => each.id === id)
     if (rate !== undefined) runner.frames = { kind: 'steady', fps: rate }
+    else if (engine) method({ ...engine.method, engine: engine.label })
     else if (clock) runner.frames = { kind: id, ...readOptions(inside, clock.options) }
-    else if (policy) runner.timestep = { kind: id, ...readOptions(inside, policy.options) }
-    else if (integrators.some((each) => each.id === word)) runner.integrator = word
-    else if (stoppings.some((each) => each.id === word)) runner.stopping = word
+    else if (policy) method({ timestep: { kind: id, ...readOptions(inside, policy.options) } })
+    else if (integrators.some((each) => each.id === word)) method({ integrator: word })
+    else if (stoppings.some((each) => each.id === word)) method({ stopping: word })
     else if (id === 'look' && inside) runner.paletteIndex = readNumber(inside) ?? inside
     else if (word === 'hidden') runner.hidden = true
     else problems.push({ path: `runners[${turn}]`, message: unknownWord(word) })
@@ -122,7 +134,7 @@ const known = [frameClocks, timesteps, integrators, stoppings]
   .join(', ')
 
 function unknownWord(word: string): string {
-  return `"${word.slice(0, 40)}" is neither a frame rate nor one of ${known}`
+  return `"${word.slice(0, 40)}" is neither a frame rate nor one of ${known}, nor an engine such as ${engines[2].id}`
 }
 
 /** Cuts at a separator that does not stand in brackets. */

@@ -7,6 +7,8 @@ export interface RunnerState extends Method {
   /** Its place in the palette of runner colours and marks, 0 … 7. It keeps it when others come and go. */
   readonly paletteIndex: number
   readonly hidden: boolean
+  /** The name of the engine that moves its block so by default; nothing once the method is changed. */
+  readonly engine?: string | undefined
 }
 
 /** All that a lab shows, as a plain value: every number and every pixel follows from it. */

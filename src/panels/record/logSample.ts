@@ -3,7 +3,7 @@ import type { PropertyValues } from 'lit'
 import { count, fixed } from '../../chart/numbers.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { summarize } from '../../lab/state/frameTimes.ts'
-import type { Candidate } from '../../logs/index.ts'
+import type { Candidate, Unit } from '../../logs/index.ts'
 import { frameClocks } from '../../physics/index.ts'
 import '../../ui/quantityControl.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
@@ -91,7 +91,7 @@ class LogSample extends LitElement {
     this.to = this.total
   }
 
-  /** Menus where more than one process or column could be meant. */
+  /** Menus where more than one process, column or unit could be meant. */
   private choices() {
     const { candidates, chosen } = this
     const processes = [...new Set(candidates.map(({ process }) => process))]
@@ -115,6 +115,11 @@ class LogSample extends LitElement {
             chosen.column,
             (column) => this.take(columns.find((each) => each.column === column)!),
           )
+        : nothing
+    }
+    ${
+      chosen.units.length > 1
+        ? menu('Unit', chosen.units, chosen.unit, (unit) => this.take(chosen.inUnit(unit as Unit)))
         : nothing
     }`
   }

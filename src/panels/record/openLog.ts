@@ -87,8 +87,8 @@ class OpenLog extends LitElement {
       </button>
       <p class="small">
         Or drop one on the lab: from PresentMon, OCAT, CapFrameX, MangoHud, FRAPS, Afterburner, a
-        list of frame times, or what <i>Copy as JSON</i> gave you. It stays in this browser: nothing
-        is sent anywhere.
+        trace of Chrome, a list of frame times, or what <i>Copy as JSON</i> gave you. It stays in
+        this browser: nothing is sent anywhere.
       </p>
       <div id=${this.pasteId} ?hidden=${!pasting}>${pasting ? this.pasteField() : nothing}</div>
       ${

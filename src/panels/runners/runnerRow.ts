@@ -1,19 +1,27 @@
 import { html, LitElement, nothing } from 'lit'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Described, Options } from '../../physics/index.ts'
+import { engines } from '../../engines/index.ts'
 import { count, shownNumber } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { icon } from '../../ui/icons.ts'
 import { menu } from '../../ui/menu.ts'
 import '../../ui/runnerMark.ts'
 import type { LabView } from '../../lab/labView.ts'
+import { ofEngine } from '../../lab/lesson.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import { choose } from '../../lab/state/choose.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
+import type { DraftRunner } from '../../lab/state/check.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
-import type { RunnerState } from '../../lab/state/state.ts'
 import { optionFields } from './optionFields.ts'
 import { endText, errorText } from './results.ts'
+
+/** What the menu of engines offers: none, or one of them. */
+const engineList = [
+  { id: '', label: 'none', about: 'Integrator, stopping and time step are your own choice' },
+  ...engines.map(({ label, does }) => ({ id: label, label, about: does })),
+]
 
 /**
  * A runner's row: what can be set on it, and how wrong it is.
@@ -64,8 +72,9 @@ class RunnerRow extends LitElement {
       >
         ${this.mark()} ${this.rate()} ${this.clock()}
         ${this.choice('integrator', 'Integrator', integrators)}
-        ${this.choice('stopping', 'Stopping', stoppings)} ${this.timestep()} ${this.errorNow()}
-        ${this.errorAtEnd()} ${this.stopped()} ${this.evaluations()} ${this.actions()}
+        ${this.choice('stopping', 'Stopping', stoppings)} ${this.engine()} ${this.timestep()}
+        ${this.errorNow()} ${this.errorAtEnd()} ${this.stopped()} ${this.evaluations()}
+        ${this.actions()}
         ${problem ? html`<p class="problem" role="alert">${problem}</p>` : nothing}
       </div>
     `
@@ -106,8 +115,22 @@ class RunnerRow extends LitElement {
     ])
   }
 
+  /** A menu of engines, each of which sets integrator, stopping and time step. */
+  private engine() {
+    const { engine: chosen = '' } = this.runner.state
+    if (!ofEngine.every((each) => this.may(each))) return nothing
+    const pick = (label: string) => {
+      const engine = engines.find((each) => each.label === label)
+      return this.set({ ...engine?.method, engine: engine?.label })
+    }
+    return html`<div class="cell engine choice">
+      <span aria-hidden="true">Engine</span>
+      ${menu({ label: `Engine, ${this.runner.name}`, list: engineList, chosen, pick })}
+    </div>`
+  }
+
   private choice(key: 'integrator' | 'stopping', label: string, list: readonly Described[]) {
-    const pick = (id: string) => this.set({ [key]: id } as Partial<RunnerState>)
+    const pick = (id: string) => this.set({ [key]: id })
     return this.cell(label, key, list, this.runner.state[key], pick)
   }
 
@@ -249,7 +272,7 @@ class RunnerRow extends LitElement {
   private readonly select = (): void => this.lab.select(this.index)
 
   /** Whether it could be set so. */
-  private set(values: Partial<RunnerState>): boolean {
+  private set(values: Partial<DraftRunner>): boolean {
     this.problem = this.lab.change({ kind: 'runner', index: this.index, values })
     return this.problem === ''
   }

@@ -1,6 +1,7 @@
-import { html } from 'lit'
+import { html, nothing } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
+import { engines } from '../../engines/index.ts'
 import type { Described } from '../../physics/index.ts'
 import { allowed } from '../../lab/allowed.ts'
 import type { LabView } from '../../lab/labView.ts'
@@ -71,10 +72,19 @@ function add(lab: LabView, button: HTMLElement): void {
 function notes({ simulated, selected }: LabView) {
   const runner = simulated.runners[selected]
   if (!runner) return ''
-  const { integrator, stopping, timestep, frames } = runner.state
+  const { integrator, stopping, timestep, frames, engine } = runner.state
+  const its = engines.find(({ label }) => label === engine)
   return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.paletteIndex})">
     ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
     ${note(frameClocks, frames.kind)}
+    ${
+      its
+        ? html`<div class="engine">
+            <dt>${its.label}</dt>
+            <dd>${its.does} ${its.leavesOut} Source: ${its.source}.</dd>
+          </div>`
+        : nothing
+    }
   </dl>`
 }
 

@@ -2,6 +2,7 @@ import { attributes, escaped } from '../still/html.ts'
 import { textPlaceOf } from './book.ts'
 import type { Env } from './book.ts'
 import { languages } from './highlight.ts'
+import type { TextFile } from './materials.ts'
 import { instead } from './problem.ts'
 
 /** What a file's ending says about its language. */
@@ -61,19 +62,23 @@ export function sourceHtml(env: Env, address: string, caption: string, line: num
 <figcaption>${pathHtml(path)}${caption && ` <div>${caption}</div>`}</figcaption></figure>\n`
 }
 
-/** The take-home step in all its languages. The page's script turns the headings into tabs. */
+/** The take-home steps in all their languages. The page's script turns the headings into tabs. */
 export function takeHomeHtml(env: Env, line: number): string {
   const { takeHome } = env.book.materials
   if (takeHome.length === 0)
     env.book.report(textPlaceOf(env, line), 'there are no files in src/tutorial/take-home')
-  const parts = takeHome.map(({ path, text }) => {
-    const ending = path.split('.').at(-1)!
-    const name = names[ending] ?? ending
-    const code = env.highlight(regionOf(text) ?? '', endings[ending] ?? 'ts')
-    return `<div class="code" id="take-home-${ending}">
+  const is3d = ({ path }: TextFile) => /3d\.\w+$/i.test(path)
+  const files = [...takeHome.filter((file) => !is3d(file)), ...takeHome.filter(is3d)]
+  const parts = files.map((file) => {
+    const ending = file.path.split('.').at(-1)!
+    const dimensions = is3d(file) ? '3D' : '2D'
+    const name = `${names[ending] ?? ending}, ${dimensions}`
+    const code = env.highlight(regionOf(file.text) ?? '', endings[ending] ?? 'ts')
+    const id = `take-home-${ending}${is3d(file) ? '-3d' : ''}`
+    return `<div class="code" id="${id}">
 <p class="tab">${escaped(name)}</p>
 ${listing(code, `The step in ${name}`)}
-<p class="path">${pathHtml(path)}</p></div>`
+<p class="path">${pathHtml(file.path)}</p></div>`
   })
   return `<div class="take-home">\n${parts.join('\n')}\n</div>\n`
 }

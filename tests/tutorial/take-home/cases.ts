@@ -1,5 +1,7 @@
 import { simulate } from '../../../src/physics/index.ts'
 import type { Experiment } from '../../../src/physics/index.ts'
+import { cases3d } from './cases3d.ts'
+import type { Row3d } from './cases3d.ts'
 
 /** A slide on a ramp for the take-home step, and what `simulate` makes of it, frame by frame. */
 export interface Case {
@@ -76,23 +78,31 @@ export function furthestOff({ along, normal, s, v }: Case, rows: readonly Row[])
   )
 }
 
-/** What a program reads: a case a line. Start velocity, gravity, normal, both μ, then the frames. */
+/** What a program reads: a case a line. Dimensions, start velocity, gravity, normal, both μ, then the frames. */
 export function casesText(): string {
-  return cases
-    .map(({ gravity, normal, along, muStatic, muKinetic, speed, frames }) =>
-      [along[0] * speed, along[1] * speed, ...gravity, ...normal, muStatic, muKinetic, ...frames]
+  const flat = cases.map(({ along, speed, ...rest }) => ({
+    ...{ ...rest, velocity: [along[0] * speed, along[1] * speed] },
+  }))
+  return [...flat, ...cases3d]
+    .map(({ velocity, gravity, normal, muStatic, muKinetic, frames }) =>
+      [velocity.length, ...velocity, ...gravity, ...normal, muStatic, muKinetic, ...frames]
         .map((value) => value.toString())
         .join(' '),
     )
     .join('\n')
 }
 
-/** What a program writes: `row x y u w` for every frame of every case; other lines are the tool's own. */
-export function rowsOf(output: string): Row[][] {
+/** What a program writes: `row x y u w`, in space `row x y z u v w`, for every frame of every case; the rest is the tool's own. */
+export function rowsOf(output: string): { flat: Row[][]; inSpace: Row3d[][] } {
   const rows = output
     .split(/\r?\n/)
     .filter((line) => line.startsWith('row '))
-    .map((line) => line.split(' ').slice(1).map(Number) as unknown as Row)
+    .map((line) => line.split(' ').slice(1).map(Number))
   let from = 0
-  return cases.map(({ frames }) => rows.slice(from, (from += frames.length)))
+  const next = ({ frames }: { frames: readonly number[] }) =>
+    rows.slice(from, (from += frames.length))
+  return {
+    flat: cases.map(next) as unknown as Row[][],
+    inSpace: cases3d.map(next) as unknown as Row3d[][],
+  }
 }

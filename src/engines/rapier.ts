@@ -1,3 +1,4 @@
+import { ownLoop } from './engine.ts'
 import type { Engine } from './engine.ts'
 
 export const rapier: Engine = {
@@ -11,5 +12,6 @@ export const rapier: Engine = {
   does: 'A call of step moves the world by 1/60 s unless you set dt: called once a frame, it goes as fast as the frames.',
   leavesOut:
     'Left out: each step moves bodies in 4 parts, so that the error of gravity is a quarter of what is shown here; damping by 1/(1 + k Δt).',
+  safer: ownLoop('call world.step()'),
   source: 'Rapier as read in November 2026, integration_parameters.rs and worker.rs',
 }

@@ -1,3 +1,4 @@
+import { ownLoop } from './engine.ts'
 import type { Engine } from './engine.ts'
 
 export const gameMaker: Engine = {
@@ -11,5 +12,6 @@ export const gameMaker: Engine = {
   does: 'Every frame is a step, 60 a second by default: slow frames are slow motion.',
   leavesOut:
     'Left out: its friction takes a fixed speed a step and stops at 0, and gravity comes after it.',
+  safer: ownLoop('move your instances'),
   source: 'GameMaker-HTML5 as read in November 2026, yyInstance.js and yyPhysicsWorld.js',
 }

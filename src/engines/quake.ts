@@ -1,3 +1,4 @@
+import { ownLoop } from './engine.ts'
 import type { Engine } from './engine.ts'
 
 export const quake: Engine = {
@@ -10,5 +11,6 @@ export const quake: Engine = {
   },
   does: 'One step a frame, at most 0.1 s; the rest is dropped.',
   leavesOut: 'Left out: no more than 72 frames a second, and friction that grows with the speed.',
+  safer: ownLoop('move the player'),
   source: 'Quake as read in November 2026, host.c, sv_phys.c and sv_user.c',
 }
