@@ -41,7 +41,7 @@ export default defineConfig({
               test: /\/(src\/(?!physics|measure|tutorial|panels\/(share|measures)\/)\w+|node_modules)\/.*\.[jt]s$/,
             },
             // What a figure on somebody's page loads besides: less than a whole lab does.
-            { name: 'address', test: /\/src\/lab\/(addressLink|site|state\/address)\./ },
+            { name: 'address', test: /\/src\/lab\/(addressLink|lesson|site|state\/address)\./ },
             { name: 'strip', test: /\/src\/(panels\/strip\/|lab\/glide\.)/ },
             // The worker has it too, and can have nothing that draws.
             { name: 'error', test: /\/src\/measure\/error\./ },

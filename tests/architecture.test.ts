@@ -55,7 +55,8 @@ const rules: Record<string, Rule> = {
     runtime: ['physics', 'chart', 'ui', ...lab, 'panels', 'figures', 'styles', 'lit'],
     types: [],
   },
-  tutorial: { runtime: [], types: [] },
+  // What runs in the page: numbers are written and read as in figures.
+  tutorial: { runtime: ['chart'], types: [] },
   // Rooms of the tutorial that are for the build alone: nothing of them is in the page.
   'tutorial/build': {
     runtime: [

@@ -26,8 +26,8 @@ const spellings: Readonly<Record<string, Readonly<Record<string, number>>>> = {
  * The number that a reader typed into a field of that unit: as `readNumber`, and with a decimal comma, with the unit after
  * it or with another unit of the same quantity, as “12,5°” or “16.7 ms” in seconds. Undefined where it is none.
  */
-export function readTyped(text: string, unit: string): number | undefined {
-  if (isAmbiguous(text)) return undefined
+export function readTyped(text: string, unit: string, sign = decimalSign): number | undefined {
+  if (isAmbiguous(text, sign)) return undefined
   const typed = text.trim()
   const known = spellings[unit] ?? (unit ? { [unit.toLowerCase()]: 1 } : {})
   const spelled = Object.keys(known)
@@ -38,8 +38,19 @@ export function readTyped(text: string, unit: string): number | undefined {
   return value === undefined || spelled === undefined ? value : value / known[spelled]!
 }
 
+/** The decimal sign of the browser’s language. */
+export const decimalSign = new Intl.NumberFormat()
+  .formatToParts(0.5)
+  .find(({ type }) => type === 'decimal')!.value
+
+/** A number as the reader would type it: with a decimal comma where the browser’s language has one. */
+export function asTyped(number: string, sign = decimalSign): string {
+  return sign === ',' ? number.replace('.', ',') : number
+}
+
 /** Whether a comma may stand for thousands as well as for decimals: “1,234”. */
-export function isAmbiguous(text: string): boolean {
+export function isAmbiguous(text: string, sign = decimalSign): boolean {
+  if (sign === ',') return false
   return /^\s*[-+−]?[1-9]\d{0,2},\d{3}(?!\d)/.test(text)
 }
 

@@ -2,6 +2,7 @@ import { html, nothing } from 'lit'
 import type { PropertyValues } from 'lit'
 import { SlideFigure } from '../figures/element/slideFigure.ts'
 import type { ControlValues } from '../figures/shared/control.ts'
+import { namesIn } from '../lab/lesson.ts'
 import { Shadow, themeProblem } from './shadow.ts'
 import { inUnits } from './styles.ts'
 
@@ -15,9 +16,15 @@ type Given = Readonly<Record<string, unknown>> | string | null
  * @tag slide-figure
  * @attr {string} name - Which figure.
  * @attr {JSON} values - Of its controls, by name; those that are not there are as the figure has them at first.
+ * @attr {boolean} locked - For a lesson: nothing can be used but playing and the time.
+ * @attr {string} controls - For a lesson: the controls that can be used, and no others, as `angle mu`.
+ * @attr {string} hide - For a lesson: what readers are to find out, `readings`, `outcome` or both.
  * @attr {string} theme - `light` or `dark`, in the place of the page's own `color-scheme`.
  * @prop {string | null} name
  * @prop {Values} values - Of all its controls; setting it changes those that are given. Empty until it is alive.
+ * @prop {boolean} locked
+ * @prop {string | null} controls
+ * @prop {string | null} hide
  * @prop {string | null} theme
  * @prop {'gravity' | 'normal' | 'friction' | 'sum' | 'velocity' | undefined} lit - The arrow to set off from the others.
  * @readonly {readonly Trajectory[]} trajectories - The runs, as `simulate` returned them.
@@ -29,7 +36,7 @@ type Given = Readonly<Record<string, unknown>> | string | null
  * @fires {CustomEvent<Values>} change - A control has changed, by the reader or by the page. It bubbles and is composed.
  * @fires {CustomEvent<{ time: number }>} timeupdate - The instant shown has moved [s]; while it plays, as long as it can be
  * seen.
- * @fires {CustomEvent<{ message: string }>} error - There is no such figure, control, value or theme.
+ * @fires {CustomEvent<{ message: string }>} error - There is no such figure, control, value, part or theme.
  * @slot - Shown until the figure is alive, and where there are no scripts.
  * @slot caption - Shown below.
  * @csspart pictures - All pictures, side by side or one under the other.
@@ -53,10 +60,16 @@ export class SlideFigureElement extends SlideFigure {
   static override properties = {
     ...SlideFigure.properties,
     values: { noAccessor: true, hasChanged: () => true },
+    locked: { type: Boolean },
+    controls: {},
+    hide: {},
     theme: { reflect: true },
     problems: { state: true },
   }
 
+  declare locked: boolean
+  declare controls: string | null
+  declare hide: string | null
   declare theme: string | null
   /** What is told of now, by the attribute that it is in. */
   declare private problems: Readonly<Record<string, string>>
@@ -68,6 +81,7 @@ export class SlideFigureElement extends SlideFigure {
   constructor() {
     super()
     this.problems = {}
+    this.locked = false
     this.#shadow.root.append(document.createElement('slot'))
     this.playback.subscribe(this, 'write', () => {
       const { time } = this.playback
@@ -90,12 +104,19 @@ export class SlideFigureElement extends SlideFigure {
     return this.#shadow.root
   }
 
+  override willUpdate(changed: PropertyValues): void {
+    // What readers may take hold of in the pictures goes by this too.
+    if (this.view && ['locked', 'controls', 'hide'].some((name) => changed.has(name)))
+      this.view = { ...this.view, values: { ...this.view.values } }
+  }
+
   override shouldUpdate(changed: PropertyValues): boolean {
     // A first name is one that it has not yet come alive without.
     const isRenamed = changed.get('name') !== undefined || this.problems.name
     if (changed.has('name') && isRenamed) this.wakeAnew()
     else if (changed.has('values') && this.view) this.#take()
     if (changed.has('theme') && this.view) this.#noteTheme()
+    if (['controls', 'hide'].some((name) => changed.has(name)) && this.view) this.#noteLesson()
     return Object.keys(this.problems).length > 0 || super.shouldUpdate(changed)
   }
 
@@ -121,6 +142,7 @@ export class SlideFigureElement extends SlideFigure {
     try {
       await super.comeAlive()
       this.#note('name', '')
+      this.#noteLesson()
       root.style.cssText = inUnits(root.style.cssText)
       this.#take()
     } catch (error) {
@@ -144,6 +166,25 @@ export class SlideFigureElement extends SlideFigure {
       this.#note('values', '')
     } catch (error) {
       this.#note('values', `values: ${(error as Error).message}`)
+    }
+  }
+
+  protected override may = (control: string): boolean => {
+    const { locked, controls = null } = this
+    return (
+      !locked && (controls === null || namesIn('controls', controls, [control]).names.length > 0)
+    )
+  }
+
+  protected override hides = (part: 'readings' | 'outcome'): boolean =>
+    namesIn('hide', this.hide, [part]).names.length > 0
+
+  /** Tells of names in `controls` and `hide` that the figure has not. */
+  #noteLesson(): void {
+    const known = { controls: this.controlNames, hide: ['readings', 'outcome'] }
+    for (const path of ['controls', 'hide'] as const) {
+      const { problems } = namesIn(path, this[path], known[path])
+      this.#note(path, problems.map(({ message }) => `${path}: ${message}`).join(' '))
     }
   }
 

@@ -2,6 +2,7 @@ import { html, nothing } from 'lit'
 import type { PropertyDeclaration, PropertyValues } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import type { Experiment, Problem } from '../physics/index.ts'
+import { lessonOf } from '../lab/lesson.ts'
 import { experimentOf } from '../lab/state/check.ts'
 import { onSiteChange } from '../lab/site.ts'
 import type { LabState } from '../lab/state/state.ts'
@@ -14,6 +15,9 @@ const asking = [
   ...(['experiment', 'scene', 'fps', 'integrator', 'stopping', 'timestep'] as const),
   'duration',
 ] as const
+
+/** What else may be wrong. */
+const others = ['locked', 'controls', 'hide', 'theme'] as const
 
 /** A page that renders itself anew hands over an equal value as a new object: that asks for nothing. */
 const byValue: PropertyDeclaration = {
@@ -36,6 +40,9 @@ const byValue: PropertyDeclaration = {
  * @attr {string} timestep - The id of a timestep policy, as `fixed`; or JSON, with its options.
  * @attr {number} duration - How long each run lasts [s].
  * @attr {boolean} compact - Only the buttons, the picture and the transport, with a link to the whole lab.
+ * @attr {boolean} locked - For a lesson: nothing can be used but playing and the time.
+ * @attr {string} controls - For a lesson: what can be used besides playing and the time, and nothing else, as `angle fps`.
+ * @attr {string} hide - For a lesson: what readers are to find out, `exact`, `spread` or both.
  * @attr {string} theme - `light` or `dark`, in the place of the page's own `color-scheme`.
  * @prop {Experiment | readonly Experiment[] | string | null} experiment - The same, as a value or as JSON.
  * @prop {string | null} scene
@@ -45,6 +52,9 @@ const byValue: PropertyDeclaration = {
  * @prop {Experiment['timestep'] | string | null} timestep
  * @prop {number} duration - Setting it asks for another; reading it gives that of the runs shown [s].
  * @prop {boolean} compact
+ * @prop {boolean} locked
+ * @prop {string | null} controls
+ * @prop {string | null} hide
  * @prop {string | null} theme
  * @readonly {readonly Experiment[]} experiments - What is run now, one for each block: as it was asked for, and as readers
  * changed it since. Fit to be set as `experiment`.
@@ -85,6 +95,9 @@ export class SlideLabElement extends SlideLab {
     ...Object.fromEntries(asking.map((name) => [name, byValue])),
     duration: { noAccessor: true, hasChanged: () => true },
     ...SlideLab.properties,
+    locked: { type: Boolean },
+    controls: {},
+    hide: {},
     theme: { reflect: true },
     problems: { state: true },
   }
@@ -95,6 +108,9 @@ export class SlideLabElement extends SlideLab {
   declare integrator: string | null
   declare stopping: string | null
   declare timestep: string | Experiment['timestep'] | null
+  declare locked: boolean
+  declare controls: string | null
+  declare hide: string | null
   declare theme: string | null
   declare private problems: readonly Problem[]
   readonly #shadow = new Shadow(this)
@@ -109,6 +125,7 @@ export class SlideLabElement extends SlideLab {
     this.problems = []
     // Vue takes `compact` alone for true only where it finds a boolean.
     this.compact = false
+    this.locked = false
     this.playback.subscribe(this, 'write', () => {
       this.#tell('timeupdate', { time: this.playback.time })
     })
@@ -151,9 +168,15 @@ export class SlideLabElement extends SlideLab {
   override willUpdate(changed: PropertyValues): void {
     const isAsked = asking.some((name) => changed.has(name))
     if (isAsked) this.#refused = this.#ask()
-    if (!isAsked && !changed.has('theme')) return
+    if (!isAsked && !others.some((name) => changed.has(name))) return
     const message = themeProblem(this.theme)
-    this.problems = [...this.#refused, ...(message ? [{ path: 'theme', message }] : [])]
+    const { lesson, problems } = lessonOf(this)
+    this.lesson = lesson
+    this.problems = [
+      ...this.#refused,
+      ...problems,
+      ...(message ? [{ path: 'theme', message }] : []),
+    ]
   }
 
   /** Runs what is asked for; if that can't be run, the problems with it are returned. */

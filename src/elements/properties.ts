@@ -15,6 +15,9 @@ export interface SlideLabProperties {
   /** [s] */
   duration?: number | `${number}`
   compact?: boolean
+  locked?: boolean
+  controls?: string | null
+  hide?: string | null
   theme?: 'light' | 'dark' | null
 }
 
@@ -23,6 +26,9 @@ export interface SlideFigureProperties {
   name?: string | null
   /** Of its controls, by name; as a value or as JSON. */
   values?: Readonly<Record<string, unknown>> | string | null
+  locked?: boolean
+  controls?: string | null
+  hide?: string | null
   theme?: 'light' | 'dark' | null
 }
 

@@ -66,7 +66,7 @@ function draw(surface: DrawingSurface, { runs }: View): void {
   context.fillRect(0, 0, width, height)
   const box = { left: 62, right: width - 24, top: 34, bottom: height - 36 }
   // Powers of ten.
-  const { x, y } = graphIn(box, [0.8, 3.4], [-7, 1])
+  const { x, y } = graphIn(box, [0.8, 3.8], [-10, 1])
   context.font = `12px ${palette.sans}`
   context.lineWidth = 1
   context.strokeStyle = palette.line
@@ -75,7 +75,7 @@ function draw(surface: DrawingSurface, { runs }: View): void {
     context.fillStyle = palette.inkSoft
     write(context, count(10 ** power), x(power), box.bottom + 16, { align: 'center' })
   }
-  for (let power = -6; power <= 0; power += 2) {
+  for (let power = -10; power <= 0; power += 2) {
     line(context, { x: box.left, y: y(power) }, { x: box.right, y: y(power) })
     context.fillStyle = palette.inkSoft
     write(context, metres(10 ** power), box.left - 8, y(power) + 4, { align: 'right' })
@@ -96,6 +96,6 @@ function draw(surface: DrawingSurface, { runs }: View): void {
     if (!last) return
     context.font = `500 12px ${palette.sans}`
     context.fillStyle = text
-    write(context, name, last.x - 8, last.y - 8, { align: 'right', halo: palette.sheet })
+    write(context, name, last.x + 10, last.y + 4, { halo: palette.sheet })
   })
 }

@@ -1,5 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
+import { lessonOf, splitAddress } from './lesson.ts'
+import type { Lesson } from './lesson.ts'
+import { linkProblems } from './notices.ts'
 import { isAddress, isReadable, readAddress, writeAddress } from './state/address.ts'
 import { checked } from './state/check.ts'
 import type { Draft } from './state/check.ts'
@@ -9,6 +12,8 @@ import type { LabState } from './state/state.ts'
 /** What keeps its state in the page's address. */
 interface Linked extends ReactiveControllerHost {
   readonly state: LabState
+  /** What the address lets readers use and see. */
+  lesson: Lesson | undefined
   /** Takes over what an address said, or the opening and what was wrong with the address. */
   open(state: LabState, problem: string): void
 }
@@ -28,6 +33,8 @@ interface Kept {
  */
 export class AddressLink implements ReactiveController {
   private address = ''
+  /** What of the address is about a lesson: it stays whatever readers do. */
+  private lesson = ''
   private kept: Kept | null = null
   private timer: ReturnType<typeof setTimeout> | undefined
   private readonly host: Linked
@@ -53,6 +60,9 @@ export class AddressLink implements ReactiveController {
     this.timer = undefined
   }
 
+  /** What the page shows of problems with an address. */
+  readonly problems = linkProblems
+
   /** Writes a state into the address: at once, or soon if another was just written. */
   write(state: LabState): void {
     this.set(state)
@@ -72,9 +82,9 @@ export class AddressLink implements ReactiveController {
   }
 
   private set(state: LabState): void {
-    const address = writeAddress(state)
+    const address = [writeAddress(state), this.lesson].filter(Boolean).join('&')
     const isShort = isReadable(address)
-    this.address = isShort ? address : ''
+    this.address = isShort ? address : this.lesson
     this.kept = isShort ? null : { lab: state }
   }
 
@@ -95,10 +105,15 @@ export class AddressLink implements ReactiveController {
       return
     }
     const lab = keptLab()
+    const { said, rest, asked } = splitAddress(address)
     this.address = address
+    this.lesson = said
     this.kept = lab ? { lab } : null
     try {
-      this.host.open(lab ? checked(lab as Draft) : readAddress(address), '')
+      const { lesson, problems } = lessonOf(asked)
+      this.host.lesson = lesson
+      if (problems.length > 0) throw new ExperimentError(problems)
+      this.host.open(lab ? checked(lab as Draft) : readAddress(rest), '')
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
       this.host.open(opening, error.message)
@@ -108,6 +123,6 @@ export class AddressLink implements ReactiveController {
 
 /** The state that the browser keeps beside the address: one that is said in the address goes before it. */
 function keptLab(): LabState | undefined {
-  if (location.hash.includes('=')) return undefined
+  if (splitAddress(location.hash.slice(1)).rest.includes('=')) return undefined
   return (history.state as Kept | null)?.lab
 }

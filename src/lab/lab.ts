@@ -4,15 +4,16 @@ import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
+import { allowed } from './allowed.ts'
 import { EarlyPress } from './earlyPress.ts'
 import type { LabView, Menus, OpenPanels, Panels } from './labView.ts'
 import { modeButtons, sceneTabs } from './choices.ts'
-import { linkProblems, presetNote } from './notices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
+import type { Lesson } from './lesson.ts'
 import type { Preset } from './presets/preset.ts'
 import { spreadNumber } from './spreadNumber.ts'
 import { changed, refusal } from './state/change.ts'
@@ -48,12 +49,14 @@ export abstract class Lab extends LitElement implements LabView {
     linkProblem: { state: true },
     spoken: { state: true },
     panels: { state: true },
+    lesson: { state: true },
   }
 
   declare compact: boolean
   declare simulated: Simulated
   declare preset: Preset | undefined
   declare selected: number
+  declare lesson: Lesson | undefined
   declare private linkProblem: string
   /** The picture in words, as it was when it last came to rest. */
   declare private spoken: string
@@ -131,6 +134,8 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   readonly change = (change: Change): string => {
+    const refused = this.lesson?.refusal(change)
+    if (refused) return refused
     const before = this.snapshot
     const drawn = this.recorded.map(this.drawn)
     const isElsewhere = change.kind === 'scene' || change.kind === 'state'
@@ -219,12 +224,12 @@ export abstract class Lab extends LitElement implements LabView {
   private readonly tellLater = (): void => {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => {
-      this.spoken = describe(this.simulated, this.playback.time)
+      this.spoken = describe(this.simulated, this.playback.time, this.lesson?.hides('exact'))
     }, PAUSE)
   }
 
   override render() {
-    const { simulated, playback, compact, panels } = this
+    const { simulated, playback, compact, panels, lesson } = this
     const { scene, exact, visible, state } = simulated
     const runners = visible.map(({ trajectory, name, state: { paletteIndex } }, i) => ({
       trajectory: this.drawn(trajectory, i),
@@ -235,19 +240,25 @@ export abstract class Lab extends LitElement implements LabView {
     const index = visible.indexOf(simulated.runners[this.selected]!)
     const selected = index < 0 ? undefined : index
     const { parameters, duration } = state
-    const still = { scene, parameters, duration, runners, exact, selected }
+    const still = {
+      ...{ scene, parameters, duration, runners, exact, selected },
+      withoutExact: lesson?.hides('exact'),
+      handles: lesson?.handles,
+    }
     return html`
-      ${linkProblems(this.linkProblem)}
+      ${this.address?.problems(this.linkProblem)}
       <div class="sheet" part="sheet">
         ${
-          compact
+          compact || lesson?.locked
             ? nothing
-            : html`<div class="masthead">${sceneTabs(this, this.sceneName)} ${tools(this)}</div>`
+            : html`<div class="masthead">
+                ${allowed(this, 'scene', sceneTabs(this, this.sceneName))} ${tools(this)}
+              </div>`
         }
         <div class="opening">
-          ${modeButtons(this)} ${spreadNumber(this, this.openingRun.counted)}
+          ${allowed(this, 'modes', modeButtons(this))}${lesson?.hides('spread') ? nothing : spreadNumber(this, this.openingRun.counted)}
         </div>
-        ${presetNote(this)}
+        <div class="preset-note" role="status">${panels?.note?.()}</div>
         <slide-stage
           part="stage"
           .playback=${playback}

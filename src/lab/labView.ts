@@ -4,6 +4,7 @@ import type { PictureForces } from '../view/picture.ts'
 import type { Glide } from './glide.ts'
 import type { LabHistory } from './labHistory.ts'
 import type { Playback } from './playback/playback.ts'
+import type { Lesson } from './lesson.ts'
 import type { EngineChoice } from './presets/engines.ts'
 import type { Preset } from './presets/preset.ts'
 import type { Change } from './state/change.ts'
@@ -33,10 +34,14 @@ export interface LabView {
   readonly preset: Preset | undefined
   readonly load: (preset: Preset) => void
   readonly dismiss: () => void
+  /** What readers may use and see; undefined: all. */
+  readonly lesson: Lesson | undefined
 }
 
 /** What a lab sees of its panels. They are loaded when its picture is there. */
 export interface Panels {
+  /** What to watch in the preset that is shown. */
+  note?(): unknown
   /** What stands below the transport. */
   below(): unknown
   /** Lets blocks glide to their new places. Until it loads, blocks jump. */

@@ -92,7 +92,8 @@ export class OpeningRun implements ReactiveController {
     if (!playback.isAtEnd) this.show(this.shown + passed)
     else {
       this.counted += passed / COUNTING
-      if (this.counted >= 1) return this.stop()
+      // What is out of sight has not followed.
+      if (this.counted >= 1) return this.end()
       this.host.requestUpdate()
     }
     this.request = requestAnimationFrame(this.tick)

@@ -1,6 +1,7 @@
 import { html } from 'lit'
 import { live } from 'lit/directives/live.js'
 import { iconButton } from '../ui/icons.ts'
+import { allowed } from './allowed.ts'
 import type { LabView } from './labView.ts'
 import type { Preset } from './presets/preset.ts'
 
@@ -10,10 +11,14 @@ export function tools(lab: LabView) {
   return html`<div class="tools" role="group" aria-label="Lab">
     ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
-    ${presetMenu(lab)} ${engineMenu(lab)}
-    <slide-share-menu .lab=${lab}>
-      <button type="button" class="toggle" aria-expanded="false">Share</button>
-    </slide-share-menu>
+    ${allowed(lab, 'presets', [presetMenu(lab), engineMenu(lab)])}
+    ${allowed(
+      lab,
+      'share',
+      html`<slide-share-menu .lab=${lab}>
+        <button type="button" class="toggle" aria-expanded="false">Share</button>
+      </slide-share-menu>`,
+    )}
   </div>`
 }
 

@@ -4,8 +4,8 @@ import { rowAt } from '../view/timeline.ts'
 import { errorAt } from './state/simulation.ts'
 import type { Simulated, SimulatedRunner } from './state/simulation.ts'
 
-/** What the picture shows at a time [s], in a sentence for each visible runner. */
-export function describe(simulated: Simulated, time: number): string {
+/** What the picture shows at a time [s], in a sentence for each visible runner, with the exact block or without. */
+export function describe(simulated: Simulated, time: number, withoutExact = false): string {
   const { scene, visible, exact, state } = simulated
   const start = state.parameters.position!
   const travelled = exact(time, { s: 0, v: 0 }).s - start
@@ -14,7 +14,8 @@ export function describe(simulated: Simulated, time: number): string {
     const scale = scaleOf(runner.trajectory.experiment).length
     const error = withoutRounding(errorAt(runner.trajectory, exact, row), scale)
     const distance = Math.abs(runner.trajectory.drawnS[row]! - start)
-    return `${runner.name}: ${stateText(runner, row)} ${place(distance)}, ${gap(error, travelled)}.`
+    const off = withoutExact ? '' : `, ${gap(error, travelled)}`
+    return `${runner.name}: ${stateText(runner, row)} ${place(distance)}${off}.`
   })
   return [`${scene.label} after ${seconds(time)}.`, ...sentences].join(' ')
 }

@@ -10,6 +10,7 @@ import './strip/frameStrip.ts'
 export const compact: OpenPanels = (lab) => ({
   glide: new Glide(lab),
   below: () => {
+    if (lab.lesson?.may('share') === false) return nothing
     const home = site()
     return html`<div class="open-in-lab" part="link">
       <slide-share-menu .lab=${lab}></slide-share-menu>

@@ -1,8 +1,10 @@
 import { html } from 'lit'
 import { forceDrawing } from '../view/forces.ts'
+import { allowed } from '../lab/allowed.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
+import { presetNote } from '../lab/notices.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
 import { menus } from './menus.ts'
@@ -20,26 +22,33 @@ export const instruments: OpenPanels = (lab) => {
   const forces = new ForcesSwitch(lab)
   return {
     glide: new Glide(lab),
+    note: () => presetNote(lab),
     menus,
     forces: () => forces.vectors(),
     forceDrawing,
     below() {
-      const { simulated, playback, selected } = lab
-      return html`${forces.panel()} ${parametersPanel(lab)} ${runnersTable(lab)}
+      const { simulated, playback, selected, lesson } = lab
+      return html`${allowed(lab, 'forces', forces.panel())} ${parametersPanel(lab)}
+        ${runnersTable(lab)}
         <slide-lab-plots
           part="plots"
           .simulated=${simulated}
           .time=${atNow(playback, (time) => time)}
           .playback=${playback}
           .selected=${selected}
+          .withoutExact=${lesson?.hides('exact') === true}
           .seek=${(time: number) => playback.seek(time)}
         ></slide-lab-plots>
-        <slide-lab-measures
-          .simulated=${simulated}
-          .selected=${selected}
-          .lab=${lab}
-        ></slide-lab-measures>
-        ${stepInspector(lab)}`
+        ${allowed(
+          lab,
+          'measures',
+          html`<slide-lab-measures
+            .simulated=${simulated}
+            .selected=${selected}
+            .lab=${lab}
+          ></slide-lab-measures>`,
+        )}
+        ${allowed(lab, 'step', stepInspector(lab))}`
     },
   }
 }

@@ -16,9 +16,11 @@ export function menu<Id extends string>({ label, list, chosen, pick }: Menu<Id>)
     const select = event.target as HTMLSelectElement
     if (!pick(select.value as Id)) select.value = chosen
   }
+  const shown = list.find(({ id }) => id === chosen)!
   return html`<select
     aria-label=${label}
-    title=${list.find(({ id }) => id === chosen)!.about}
+    title=${shown.about}
+    .style="--letters: ${shown.label.length}"
     @change=${changed}
   >
     ${list.map(

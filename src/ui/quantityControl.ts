@@ -3,7 +3,7 @@ import type { PropertyValues } from 'lit'
 import { live } from 'lit/directives/live.js'
 import type { NumberOption } from '../physics/index.ts'
 import { shownNumber, writeNumber } from '../chart/numbers.ts'
-import { isAmbiguous, readTyped } from '../chart/typedNumber.ts'
+import { asTyped, isAmbiguous, readTyped } from '../chart/typedNumber.ts'
 import { freshId } from './input.ts'
 import { icon } from './icons.ts'
 import { placeOf, stepped, valueAt } from './sliderScale.ts'
@@ -106,9 +106,9 @@ class QuantityControl extends LitElement {
   private get shown(): string {
     const { draft, typing, value, quantity } = this
     if (draft !== undefined) return draft
-    if (quantity.slider.scale) return value.toExponential()
-    if (typing) return writeNumber(value)
-    return value === quantity.max && quantity.atMax ? quantity.atMax : shownNumber(value)
+    if (quantity.slider.scale) return asTyped(value.toExponential())
+    if (typing) return asTyped(writeNumber(value))
+    return value === quantity.max && quantity.atMax ? quantity.atMax : asTyped(shownNumber(value))
   }
 
   private slider() {

@@ -10,10 +10,11 @@ import { Projection } from './projection.ts'
 import { arrowReach } from './sizes.ts'
 
 /** The parameter that a handle changes. */
-const parameterOf = { tilt: 'angle', place: 'position', push: 'speed' } as const satisfies Record<
-  HandleId,
-  string
->
+export const parameterOf = {
+  tilt: 'angle',
+  place: 'position',
+  push: 'speed',
+} as const satisfies Record<HandleId, string>
 
 /** The handles that a scene has. */
 export function handlesOf(picture: Picture, layout: Layout): Handle[] {

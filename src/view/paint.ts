@@ -30,6 +30,7 @@ export function paint(
   const { layout, projection, handles, numbers } = setting
   const { scene, time } = picture
   const actors = actorsOf(picture, layout, projection)
+  const seen = picture.withoutExact ? actors.slice(0, -1) : actors
   const words = backdrop.draw(context, setting, palette, time)
   context.lineJoin = 'round'
   // With the exact block as the last of them there is always one for the spring to hang on.
@@ -41,7 +42,8 @@ export function paint(
   for (const actor of actors) drawRunner(context, actor, palette)
   // What has arrows stands in front of the others.
   if (selected && picture.forces) drawRunner(context, selected, palette)
-  strokeBody(context, actors.at(-1)!.body, { colour: palette.ink, width: 2 })
+  if (!picture.withoutExact)
+    strokeBody(context, actors.at(-1)!.body, { colour: palette.ink, width: 2 })
   const physics = selected && physicsOf(selected, picture, layout, projection)
   if (physics) drawOutline(context, physics, palette)
   drawPush(context, picture, layout, palette)
@@ -49,7 +51,7 @@ export function paint(
   const room = [...startRoom(picture, layout, projection), ...boxes]
   for (const { id, x, y } of handles) if (id === 'tilt') room.push(around({ x, y }, 12))
   const place = (obstacles: readonly Box[]) =>
-    placeCaptions(context, setting, actors, selected, obstacles, palette)
+    placeCaptions(context, setting, seen, selected, obstacles, palette)
   // Beside a fall arrows give way to captions, elsewhere captions to arrows.
   const column = falls ? place(boxes) : []
   const taken = [...room, ...words, ...column.map(({ box }) => box)]

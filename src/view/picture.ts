@@ -49,6 +49,8 @@ export interface Picture {
   readonly runners: readonly PictureRunner[]
   /** The true motion. */
   readonly exact: ExactMotion
+  /** The exact block is not to be seen. */
+  readonly withoutExact?: boolean | undefined
   /** Which of the runners is looked at closely: its physics is shown where that is not where it is drawn. */
   readonly selected?: number | undefined
   /** The forces on that runner's block; undefined where none are to be shown. */

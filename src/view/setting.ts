@@ -37,6 +37,8 @@ export function isSameButTime(a: Picture, b: Picture): boolean {
     a.duration === b.duration &&
     a.runners === b.runners &&
     a.exact === b.exact &&
+    a.withoutExact === b.withoutExact &&
+    a.handles === b.handles &&
     !a.forces === !b.forces &&
     a.held === b.held &&
     a.lit === b.lit

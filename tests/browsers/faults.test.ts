@@ -63,4 +63,42 @@ inEach((tab, open) => {
     await open()
     expect(await tab().run(() => document.body.innerText.match(/\d\u2009\S+/)?.[0] ?? '')).toBe('')
   })
+
+  test('no bracket of a formula lies on the sign before it', async () => {
+    await open()
+    const gap = await tab().run(() => {
+      const formulas = [...document.querySelectorAll('.text p math')]
+      const brackets = formulas.flatMap((each) => [...each.querySelectorAll('mo')])
+      const gaps = brackets
+        .filter((each) => each.textContent === '(' && each.parentElement!.previousElementSibling)
+        .map((each) => {
+          const range = document.createRange()
+          range.selectNodeContents(each)
+          const before = each.parentElement!.previousElementSibling!.getBoundingClientRect()
+          return range.getBoundingClientRect().left - before.right
+        })
+      return Math.min(...gaps)
+    })
+    // Their boxes may touch; hung, the bracket is further left than it is wide, some 6 px.
+    expect(gap).toBeGreaterThan(-2)
+  })
+
+  test('a number of the text has a true minus, and menus are as wide as what is chosen', async () => {
+    await open()
+    const dials = await tab().run(() =>
+      [...document.querySelectorAll<HTMLInputElement>('.dial input')].map(({ value }) => value),
+    )
+    expect(dials.filter((each) => each.includes('-'))).toEqual([])
+    expect(dials.some((each) => each.startsWith('−'))).toBe(true)
+    const [steady, longest] = await tab().run(() => {
+      const menu = document.querySelector<HTMLSelectElement>('.runner .clock select')!
+      const alone = menu.cloneNode(true) as HTMLSelectElement
+      alone.style.cssText = 'max-width: none; field-sizing: fixed'
+      menu.after(alone)
+      const widths = [menu, alone].map((each) => each.getBoundingClientRect().width)
+      alone.remove()
+      return widths
+    })
+    expect(steady).toBeLessThan(0.9 * longest!)
+  })
 })

@@ -1,6 +1,12 @@
 import { expect, test } from 'vitest'
 import { shownNumber, writeNumber } from '../../src/chart/numbers.ts'
-import { isAmbiguous, readNumber, readTyped, typedItems } from '../../src/chart/typedNumber.ts'
+import {
+  asTyped,
+  isAmbiguous,
+  readNumber,
+  readTyped,
+  typedItems,
+} from '../../src/chart/typedNumber.ts'
 
 test.each([
   ['1e-3', 0.001],
@@ -92,3 +98,14 @@ test.each([
   ['0.02 soon', ['0.02', 'soon']],
   [' ', []],
 ])('the list “%s” has its items', (text, items) => expect(typedItems(text)).toEqual(items))
+
+test('where the browser’s language has a decimal comma, a field has it too, and reads it as nothing else', () => {
+  for (const value of [9.81, 1.234, -0.5, 1e-7, 1.5e-7, 12, 1 / 60])
+    for (const written of [writeNumber(value), shownNumber(value)]) {
+      expect(asTyped(written, ',')).not.toContain('.')
+      expect(asTyped(written, '.')).toBe(written)
+      expect(readTyped(asTyped(written, ','), '', ',')).toBe(readNumber(written))
+    }
+  expect(isAmbiguous('1,234', ',')).toBe(false)
+  expect(isAmbiguous('1,234', '.')).toBe(true)
+})

@@ -107,6 +107,33 @@ test.each([1440, 768, 390])('%i px wide, what comes later moves nothing', async 
   expect(await places(page)).toEqual(before)
 })
 
+test('the text is laid out while nothing moves, and all of it where a link leads into it', async () => {
+  const { page } = await openPage({ path: '404.html', reducedMotion: 'reduce' })
+  await page.addInitScript(() => {
+    // A run that plays: each frame has something to draw.
+    const draw = () => {
+      for (const start = performance.now(); performance.now() - start < 12;);
+      if (!('halted' in window)) requestAnimationFrame(draw)
+    }
+    requestAnimationFrame(draw)
+  })
+  const laidOut = () => page.evaluate(() => document.querySelectorAll('.text > .laid-out').length)
+  const sections = await page
+    .goto(inject('address'))
+    .then(() => page.locator('.text > section').count())
+  await page.locator('slide-lab-measures:defined').waitFor({ state: 'attached' })
+  await page.waitForTimeout(500)
+  expect(await laidOut()).toBe(0)
+  await page.evaluate(() => (location.hash = 'energy'))
+  await expect.poll(laidOut).toBe(sections)
+
+  await page.goto('about:blank')
+  await page.goto(inject('address'))
+  await page.locator('slide-lab-measures:defined').waitFor({ state: 'attached' })
+  await page.evaluate(() => Object.assign(window, { halted: true }))
+  await expect.poll(laidOut).toBe(sections)
+})
+
 test('a press on Share before it can answer opens it when it can', async () => {
   const { page, problems, letGo } = await openEarly()
   await page.getByRole('button', { name: 'Share' }).press('Enter')

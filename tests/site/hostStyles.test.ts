@@ -119,6 +119,21 @@ test.each([
   expect(wild.problems()).toEqual([])
 })
 
+test('a page from right to left has pictures from left to right', async () => {
+  const pictures = async (root: string) => {
+    const { page } = await openHost(lab + figure, { root })
+    await page.locator('slide-figure [live]').waitFor()
+    await page.locator('slide-lab [part=link]').waitFor()
+    await page.evaluate(() => document.fonts.ready.then(() => undefined))
+    return page
+      .locator('slide-stage canvas, slide-figure-picture canvas, slide-frame-strip canvas')
+      .evaluateAll((all) => all.map((each) => (each as HTMLCanvasElement).toDataURL()))
+  }
+  const expected = await pictures('')
+  expect(expected.length).toBeGreaterThan(2)
+  await expect.poll(() => pictures('dir="rtl"')).toEqual(expected)
+})
+
 describe('light and dark', () => {
   const sheet = (page: Page) =>
     page

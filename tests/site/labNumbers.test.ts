@@ -73,3 +73,15 @@ test('after a change too, and at every instant', async () => {
   )
   expect(await lab.runner(0).locator('.now output').getAttribute('title')).toContain(String(error))
 })
+
+test('where the browser’s language has a decimal comma, fields show and take it', async () => {
+  const lab = await openLab('mass=1.5', { locale: 'de-DE' })
+  const mass = lab.field('Mass')
+  expect(await lab.field('Gravity').inputValue()).toBe('9,81')
+  expect(await mass.inputValue()).toBe('1,5')
+  await mass.fill('1,234')
+  await mass.press('Enter')
+  expect((await lab.state()).parameters.mass).toBe(1.234)
+  await lab.address(/^#mass=1\.234$/)
+  expect(await lab.page.locator('.dial input').nth(7).inputValue()).toMatch(/^\d+,\d+$/)
+})

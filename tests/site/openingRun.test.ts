@@ -55,6 +55,15 @@ const played = (samples: Sample[]) => {
   return first < 0 ? [] : samples.slice(first)
 }
 
+test('what was out of sight meanwhile shows the end too', async () => {
+  const { page } = await openPage({ opening: true, height: 500 })
+  const ofEnd = await page.locator('.runner .end output').allInnerTexts()
+  expect(ofEnd[0]).toBe('−0.246\u202fm')
+  await expect
+    .poll(() => page.locator('.runner .now output').allInnerTexts(), { timeout: 10_000 })
+    .toEqual(ofEnd)
+})
+
 test('the blocks run once, then the number counts up, and then nothing moves', async () => {
   const { page, samples } = await watchOpening()
   await expect
@@ -71,6 +80,8 @@ test('the blocks run once, then the number counts up, and then nothing moves', a
   )
   expect(new Set(numbers).size).toBeGreaterThan(2)
   expect(new Set(seen.map(({ places }) => places)).size).toBe(1)
+  // The text is laid out once nothing moves.
+  await page.locator('.text > section:last-of-type.laid-out').waitFor()
   const requests = await page.evaluate(async () => {
     ;(window as unknown as { stopSampling: () => void }).stopSampling()
     await new Promise((resolve) => setTimeout(resolve, 100))

@@ -12,6 +12,8 @@ type PageOptions = {
   colorScheme?: 'light' | 'dark'
   reducedMotion?: 'reduce' | 'no-preference'
   hasTouch?: boolean
+  /** Of the browser, as `de-DE`. */
+  locale?: string
   javaScriptEnabled?: boolean
   /** Leaves the opening playing, which a touch ends otherwise. */
   opening?: boolean
@@ -58,11 +60,10 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
   if (ownClock) await page.clock.install()
   await page.goto(new URL(path, inject('address')).href, { waitUntil: 'load' })
   await page.evaluate(() => document.fonts.ready.then(() => undefined))
-  if (options.javaScriptEnabled !== false) await whole(page)
-  if (!opening)
-    await page.evaluate(() =>
-      document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel')),
-    )
+  if (options.javaScriptEnabled !== false) {
+    await whole(page)
+    if (!opening) await endOpening(page)
+  }
   return { page, problems, close }
 }
 
@@ -70,11 +71,19 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
 async function whole(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const lab = document.querySelector('slide-lab')
-    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-measures:defined'
-    const text = document.querySelector('.tutorial')
-      ? ['slide-figure:defined', '.text > section:last-of-type.laid-out']
-      : []
-    return (!lab || lab.querySelector(later)) && text.every((each) => document.querySelector(each))
+    const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-plots:defined'
+    const figures =
+      !document.querySelector('.tutorial') || document.querySelector('slide-figure:defined')
+    return (!lab || lab.querySelector(later)) && figures
+  })
+}
+
+/** Nothing moves from then on, and the text is laid out. */
+async function endOpening(page: Page): Promise<void> {
+  await page.evaluate(() => document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel')))
+  await page.waitForFunction(() => {
+    const last = document.querySelector('.text > section:last-of-type')
+    return !last || last.classList.contains('laid-out')
   })
 }
 

@@ -21,6 +21,11 @@ describe('without JavaScript', () => {
     const lab = (await page.locator('#lab .still svg').boundingBox())!
     expect(lab.height).toBeGreaterThan(100)
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
+    // Letters keep nine tenths of their size on a phone, the lab’s four fifths.
+    const scales = await page
+      .locator('.still svg')
+      .evaluateAll((all) => all.map((svg) => svg.clientWidth / Number(svg.getAttribute('width'))))
+    expect(Math.min(...scales)).toBeGreaterThan(0.8)
     // Nothing to press that does nothing.
     expect(await page.locator('.tutorial :is(button, input)').count()).toBe(0)
     // The browser says of every script that it did not load it.

@@ -126,6 +126,27 @@ describe('a still', () => {
     },
   )
 
+  test('of several pictures keeps each within its own', async () => {
+    const { load } = figures.find(({ id }) => id === 'mass-cancels')!
+    const [above, below] = figureStill(await load()).split('</clipPath>')
+    expect(above).toMatch(/<clipPath id="mass-cancels-clip-\d+"><path d="m0 172.8l640 0l0 172.8/)
+    expect(above).toContain('1 kg')
+    for (const [element] of below!.matchAll(/<(?:path|text) [^>]*/g))
+      expect(element).toContain('clip-path="url(#mass-cancels-clip-')
+  })
+
+  test('of speed against error has a name for each curve, at its end and on no other', async () => {
+    const { load } = figures.find(({ id }) => id === 'speed-against-error')!
+    const still = figureStill(await load())
+    const names = [...still.matchAll(/<text x="([\d.]+)" y="([\d.]+)"[^>]*>([A-Za-z][^<]*)</g)]
+    const places = Object.fromEntries(names.map(([, x, y, name]) => [name, [Number(x), Number(y)]]))
+    for (const name of ['explicit Euler', 'semi-implicit Euler', 'Verlet', 'RK4']) {
+      const [x, y] = places[name]!
+      expect(x, name).toBeLessThan(640 - textWidth(name, '500 12px var(--sans)'))
+      expect(y, name).toBeLessThan(358 - 36)
+    }
+  })
+
   test('of the lab is its opening, with its numbers', () => {
     const still = labStill()
     expect(labStill()).toBe(still)

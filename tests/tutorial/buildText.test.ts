@@ -243,7 +243,7 @@ describe('code', () => {
     expect(built).toContain('<figure class="code"><pre data-label="From src/a.ts">')
     expect(lines(built)).toEqual(['const a = 1', '', '  b(a)'])
     expect(built).toContain(
-      '<figcaption><code>src/a.ts</code> <div><p>The <em>step</em>.</p></div>',
+      '<figcaption><code>src/<wbr>a.ts</code> <div><p>The <em>step</em>.</p></div>',
     )
   })
 

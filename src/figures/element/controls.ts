@@ -17,11 +17,12 @@ interface Controlled {
   readonly figure: Figure
   readonly values: ControlValues
   readonly set: (values: Readonly<Record<string, unknown>>) => void
+  readonly may: (control: string) => boolean
 }
 
 /** A figure's controls, the sliders first. */
-export function controlsOf({ figure, values, set }: Controlled) {
-  const shown = Object.entries(figure.controls).filter(([, { hidden }]) => !hidden)
+export function controlsOf({ figure, values, set, may }: Controlled) {
+  const shown = Object.entries(figure.controls).filter(([name, { hidden }]) => !hidden && may(name))
   if (shown.length === 0) return nothing
   const idle = figure.idle?.(values) ?? []
   return html`<div class="controls" part="controls">

@@ -19,12 +19,15 @@ export interface Face {
   /** What takes the place of the pictures. */
   readonly hosted: HTMLElement | undefined
   readonly lit: string | undefined
+  /** What readers may use, and which parts are kept from them. */
+  readonly may: (control: string) => boolean
+  readonly hides: (part: 'readings' | 'outcome') => boolean
   readonly set: (values: Readonly<Record<string, unknown>>) => void
 }
 
 /** A figure: its pictures, the controls below them, the outcome. */
 export function face(shown: Face) {
-  const { figure, values, runs, playback, spoken, hosted } = shown
+  const { figure, values, runs, playback, spoken, hosted, hides } = shown
   const says = atNow(playback, (time) => figure.says(values, runs, time))
   return html`<div
       part="pictures"
@@ -35,10 +38,14 @@ export function face(shown: Face) {
       ${hosted ? withHeading(figure, hosted) : pictures(shown)}
     </div>
     <div class="below" @change=${hush} @input=${hush}>
-      ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
-      <p class="says" part="outcome">${says}</p>
-      ${figure.advice ? html`<p class="advice">${figure.advice.text(values)}</p>` : nothing}
-      <p class="visually-hidden" aria-live="polite">${spoken}</p>
+      ${transportOf(shown)} ${controlsOf(shown)} ${hides('readings') ? nothing : readings(shown)}
+      ${
+        hides('outcome')
+          ? nothing
+          : html`<p class="says" part="outcome">${says}</p>
+              ${figure.advice ? html`<p class="advice">${figure.advice.text(values)}</p>` : nothing}
+              <p class="visually-hidden" aria-live="polite">${spoken}</p>`
+      }
     </div>`
 }
 
@@ -48,7 +55,7 @@ function withHeading({ title }: Figure, hosted: HTMLElement) {
     ${hosted}`
 }
 
-function pictures({ figure, values, runs, playback, lit, set }: Face) {
+function pictures({ figure, values, runs, playback, lit, set, may }: Face) {
   const view = (time: number): View => ({ values, runs, time, lit })
   return figure.panels.map(
     (panel, i) =>
@@ -60,6 +67,7 @@ function pictures({ figure, values, runs, playback, lit, set }: Face) {
         .highlighted=${lit}
         .playback=${playback}
         .set=${set}
+        .may=${may}
         .description=${i === 0 ? figure.pictured : ''}
       ></slide-figure-picture>`,
   )
@@ -131,7 +139,7 @@ function transportOf({ figure, values, playback, set }: Face) {
               @input=${(event: Event) =>
                 playback.seek((event.target as HTMLInputElement).valueAsNumber)}
             />
-            <output>${atNow(playback, (time) => fixed(time, 2))}&thinsp;s</output>`
+            <output>${atNow(playback, (time) => fixed(time, 2))}&#x202f;s</output>`
     }
   </div>`
 }

@@ -16,7 +16,7 @@ import { quantityText } from './controls.ts'
  * - `panel`: what draws it
  * - `view`: what it shows at an instant; `values`: of the controls, a new object whenever it shows something else
  * - `highlighted`: the arrow of the view that is lit
- * - `controls`, `set`: what grips change
+ * - `controls`, `set`: what grips change; `may`: whether readers may
  * - `playback`: the instant
  * - `description`: what there is to see, in words
  */
@@ -39,6 +39,7 @@ class FigurePicture extends LitElement {
   declare playback: Playback
   declare view: (time: number) => View
   declare set: (values: Readonly<Record<string, unknown>>) => void
+  declare may: (control: string) => boolean
   declare private held: string | undefined
   declare private lit: string | undefined
   private readonly canvas = document.createElement('canvas')
@@ -103,7 +104,9 @@ class FigurePicture extends LitElement {
 
   private grips(): readonly Grip[] {
     const { panel, size, playback } = this
-    return size.width > 0 ? (panel.grips?.(size, this.view(playback.time)) ?? []) : []
+    if (size.width === 0) return []
+    const grips = panel.grips?.(size, this.view(playback.time)) ?? []
+    return grips.filter(({ control }) => this.may(control))
   }
 
   private draw(): void {

@@ -59,6 +59,11 @@ export class SlideFigure extends LitElement {
     return this.view?.values ?? {}
   }
 
+  /** Of the figure, once it is alive. */
+  protected get controlNames(): readonly string[] {
+    return Object.keys(this.figure?.controls ?? {})
+  }
+
   get trajectories(): readonly Trajectory[] {
     return this.view?.runs ?? []
   }
@@ -106,6 +111,12 @@ export class SlideFigure extends LitElement {
     clearTimeout(this.timer)
   }
 
+  /** Whether readers may use a control. */
+  protected may = (_control: string): boolean => true
+
+  /** Whether a part is kept from readers. */
+  protected hides = (_part: 'readings' | 'outcome'): boolean => false
+
   override createRenderRoot(): HTMLElement {
     return this
   }
@@ -115,8 +126,9 @@ export class SlideFigure extends LitElement {
   }
 
   override render() {
-    const { live, figure, view, playback, spoken, hosted, lit } = this
-    return live!.face({ figure: figure!, ...view!, playback, spoken, hosted, lit, set: this.set })
+    const { live, figure, view, playback, spoken, hosted, lit, set, may, hides } = this
+    const parts = { playback, spoken, hosted, lit, set, may, hides }
+    return live!.face({ figure: figure!, ...view!, ...parts })
   }
 
   private wake(): Promise<void> {

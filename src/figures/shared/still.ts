@@ -1,4 +1,5 @@
 import { simulate } from '../../physics/index.ts'
+import { clipTo } from '../../chart/graph.ts'
 import type { Palette } from '../../view/palette.ts'
 import { initialValues } from './control.ts'
 import type { Control } from './control.ts'
@@ -28,9 +29,11 @@ export function drawStill(
 ): void {
   const view = openingView(figure)
   context.save()
-  for (const panel of figure.panels) {
+  for (const [i, panel] of figure.panels.entries()) {
     const height = heightOf({ panels: [panel] }, width)
     context.save()
+    // In the page each has a canvas of its own; here one must not cover the one above.
+    if (i > 0) clipTo(context, { left: 0, right: width, top: 0, bottom: height })
     panel.draw({ context, width, height, palette }, view)
     context.restore()
     context.translate(0, height)

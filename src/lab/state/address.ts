@@ -91,9 +91,9 @@ export function isAddress(address: string): boolean {
 }
 
 /** The address of a page of the site that shows a state: `page` is relative to where the site is. */
-export function linkTo(page: string, site: string, state: LabState): string {
+export function linkTo(page: string, site: string, state: LabState, lesson = ''): string {
   const url = new URL(page, site)
-  url.hash = writeAddress(state)
+  url.hash = [writeAddress(state), lesson].filter(Boolean).join('&')
   return url.href
 }
 

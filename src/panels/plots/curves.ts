@@ -59,7 +59,7 @@ export function drawingOf(
       time: rows.map((row) => trajectory.time[row]!),
     }
   })
-  if (of.ofExact) curves.push(trueCurve(kind, simulated, thinned))
+  if (of.ofExact && !kind.isExactHidden) curves.push(trueCurve(kind, simulated, thinned))
   return { across, up, curves, stepped: !over }
 }
 

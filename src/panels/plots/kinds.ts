@@ -128,6 +128,8 @@ export interface PlotKind {
   readonly of: PlotQuantity
   /** Only for scenes with a track. */
   readonly onTrack?: true
+  /** The exact block is not shown in it. */
+  readonly isExactHidden?: true
 }
 
 /** Every plot of the lab, in the order in which they stand. */
@@ -168,9 +170,18 @@ export const plotKinds: readonly PlotKind[] = [
   },
 ]
 
+/** The same without the exact block, nor what is measured from it. */
+const withoutExact: readonly PlotKind[] = plotKinds
+  .filter(({ id }) => id !== 'error')
+  .map((kind) => ({ ...kind, isExactHidden: true }))
+
 /** The plots that make sense for a scene. */
-export function plotsOf({ scene }: Pick<Simulated, 'scene'>): readonly PlotKind[] {
-  return plotKinds.filter(({ onTrack }) => !(onTrack && viewOf(scene).falls))
+export function plotsOf(
+  { scene }: Pick<Simulated, 'scene'>,
+  isExactHidden = false,
+): readonly PlotKind[] {
+  const kinds = isExactHidden ? withoutExact : plotKinds
+  return kinds.filter(({ onTrack }) => !(onTrack && viewOf(scene).falls))
 }
 
 /** What the balance counts, by what there is in the scene. */

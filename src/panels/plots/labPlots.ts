@@ -1,4 +1,4 @@
-import { html, LitElement } from 'lit'
+import { html, LitElement, nothing } from 'lit'
 import { fixed } from '../../chart/numbers.ts'
 import { segments } from '../../ui/segments.ts'
 import '../../ui/runnerMark.ts'
@@ -12,6 +12,7 @@ import './labPlot.ts'
  * and with the transport.
  *
  * - `simulated`: what they show
+ * - `withoutExact`: the exact block is not to be seen
  * - `time`: of the transport, as it is read [s]; `playback`: the same at every frame
  * - `selected`: the index of the runner that is looked at closely
  * - `seek`: called with the time that the reader goes to
@@ -19,6 +20,7 @@ import './labPlot.ts'
 class LabPlots extends LitElement {
   static override properties = {
     simulated: { attribute: false },
+    withoutExact: { attribute: false },
     time: { attribute: false },
     selected: { attribute: false },
     hover: { state: true },
@@ -26,6 +28,7 @@ class LabPlots extends LitElement {
   }
 
   declare simulated: Simulated
+  declare withoutExact: boolean
   declare time: number
   /** Not reactive: it is the same for good. */
   declare playback: Playback
@@ -47,7 +50,7 @@ class LabPlots extends LitElement {
 
   override render() {
     const { simulated, hover } = this
-    const kinds = plotsOf(simulated)
+    const kinds = plotsOf(simulated, this.withoutExact)
     const { id: chosen } = kinds.find(({ id }) => id === this.chosen) ?? kinds[0]!
     const time = hover ?? this.time
     return html`<section class="plots">
@@ -60,7 +63,11 @@ class LabPlots extends LitElement {
                 <slide-runner-mark .paletteIndex=${state.paletteIndex}></slide-runner-mark> ${name}
               </li>`,
           )}
-          <li><span class="dash" aria-hidden="true"></span> exact</li>
+          ${
+            this.withoutExact
+              ? nothing
+              : html`<li><span class="dash" aria-hidden="true"></span> exact</li>`
+          }
         </ul>
         <p class="instant">
           ${hover === undefined ? 'values at' : 'values under the pointer, at'}

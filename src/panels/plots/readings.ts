@@ -29,7 +29,7 @@ export function readingsAt(kind: PlotKind, simulated: Simulated, time: number): 
     const x = over ? over.values(trajectory)[row]! : frame
     return reading(kind, name, paletteIndex, x, of.values(trajectory)[row]!, frame)
   })
-  if (!of.ofExact) return readings
+  if (!of.ofExact || kind.isExactHidden) return readings
   const state = exact(time, { s: 0, v: 0 })
   const x = over ? over.ofExact!(state, simulated) : time
   return [...readings, reading(kind, 'exact', EXACT, x, of.ofExact(state, simulated), time)]
@@ -80,7 +80,7 @@ export function plotValues(
 ) {
   const rows = [
     ...visible.map(({ state, name }) => ({ paletteIndex: state.paletteIndex, name })),
-    ...(kind.of.ofExact ? [{ paletteIndex: EXACT, name: 'exact' }] : []),
+    ...(kind.of.ofExact && !kind.isExactHidden ? [{ paletteIndex: EXACT, name: 'exact' }] : []),
   ]
   return html`<ul class="values" data-pair=${kind.over ? '' : nothing} @pointerover=${pointed}>
     ${rows.map(({ paletteIndex, name }, i) => {

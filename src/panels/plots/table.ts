@@ -21,13 +21,16 @@ interface TableCell {
 const MOST = 24
 
 /** The values of every visible runner at its frames nearest to even times, and the exact ones of those times. */
-export function tableOf({ over, of }: PlotKind, simulated: Simulated): PlotTable {
+export function tableOf({ over, of, isExactHidden }: PlotKind, simulated: Simulated): PlotTable {
   const { exact, visible, state } = simulated
   const quantities = over ? [over, of] : [of]
   const frames = Math.max(1, ...visible.map(({ trajectory }) => trajectory.frames))
   const count = Math.min(MOST, frames)
   const times = Array.from({ length: count + 1 }, (_, i) => (state.duration * i) / count)
-  const names = [...visible.map(({ name }) => name), ...(of.ofExact ? ['exact'] : [])]
+  const names = [
+    ...visible.map(({ name }) => name),
+    ...(of.ofExact && !isExactHidden ? ['exact'] : []),
+  ]
   const decimals = Math.max(2, 2 - Math.floor(Math.log10(state.duration || 1)))
   return {
     head: [
@@ -45,7 +48,9 @@ export function tableOf({ over, of }: PlotKind, simulated: Simulated): PlotTable
       })
       const truth = exact(time, { s: 0, v: 0 })
       const last = quantities.flatMap((quantity) =>
-        quantity.ofExact ? [cell(quantity, quantity.ofExact(truth, simulated), time)] : [],
+        quantity.ofExact && !isExactHidden
+          ? [cell(quantity, quantity.ofExact(truth, simulated), time)]
+          : [],
       )
       return { time: fixed(time, decimals), cells: [...cells, ...last] }
     }),

@@ -2,12 +2,13 @@ import { html, LitElement, nothing } from 'lit'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import type { Described, Options } from '../../physics/index.ts'
 import { engines } from '../../engines/index.ts'
-import { count } from '../../chart/numbers.ts'
+import { count, shownNumber } from '../../chart/numbers.ts'
 import { rowAt } from '../../view/timeline.ts'
 import { icon } from '../../ui/icons.ts'
 import { menu } from '../../ui/menu.ts'
 import '../../ui/runnerMark.ts'
 import type { LabView } from '../../lab/labView.ts'
+import { ofEngine } from '../../lab/lesson.ts'
 import { atNow } from '../../lab/playback/atNow.ts'
 import { choose } from '../../lab/state/choose.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
@@ -79,6 +80,10 @@ class RunnerRow extends LitElement {
     `
   }
 
+  private may(control: string): boolean {
+    return this.lab.lesson?.may(control) !== false
+  }
+
   private mark() {
     const { paletteIndex, hidden } = this.runner.state
     return html`<span class="mark"
@@ -87,7 +92,11 @@ class RunnerRow extends LitElement {
   }
 
   private rate() {
-    return html`<div class="cell rate">${this.options('frames', frameClocks, true)}</div>`
+    const { frames } = this.runner.state
+    const text = 'fps' in frames ? `${shownNumber(frames.fps)} fps` : nothing
+    return html`<div class="cell rate">
+      ${this.may('fps') ? this.options('frames', frameClocks, true) : text}
+    </div>`
   }
 
   private clock() {
@@ -109,6 +118,7 @@ class RunnerRow extends LitElement {
   /** A menu of engines, each of which sets integrator, stopping and time step. */
   private engine() {
     const { engine: chosen = '' } = this.runner.state
+    if (!ofEngine.every((each) => this.may(each))) return nothing
     const pick = (label: string) => {
       const engine = engines.find((each) => each.label === label)
       return this.set({ ...engine?.method, engine: engine?.label })
@@ -132,9 +142,15 @@ class RunnerRow extends LitElement {
     pick: (id: string) => boolean,
     options: readonly unknown[] = [],
   ) {
+    const may = this.may(name === 'clock' ? 'frames' : name)
+    const text = list.find(({ id }) => id === chosen)!.label
     return html`<div class="cell ${name}">
       <span class="cell-label" aria-hidden="true">${label}</span>
-      ${menu({ label: `${label}, ${this.runner.name}`, list, chosen, pick })} ${options}
+      ${
+        may
+          ? html`${menu({ label: `${label}, ${this.runner.name}`, list, chosen, pick })} ${options}`
+          : html`<span class="visually-hidden">${label}: </span>${text}`
+      }
     </div>`
   }
 
@@ -167,6 +183,7 @@ class RunnerRow extends LitElement {
     const { trajectory } = this.runner
     let row = -1
     let error = { text: '', title: '' }
+    if (this.lab.lesson?.hides('exact')) return this.result('Error now', 'now', '–', nothing)
     const at = (time: number) => {
       const next = rowAt(trajectory, time)
       if (next !== row) error = errorText(simulated, trajectory, (row = next))
@@ -179,6 +196,7 @@ class RunnerRow extends LitElement {
 
   private errorAtEnd() {
     const { trajectory } = this.runner
+    if (this.lab.lesson?.hides('exact')) return this.result('Error at the end', 'end', '–', nothing)
     const { text, title } = errorText(this.lab.simulated, trajectory, trajectory.frames)
     return this.result('Error at the end', 'end', text, title)
   }
@@ -203,6 +221,7 @@ class RunnerRow extends LitElement {
   private actions() {
     const { count, runner } = this
     const { hidden } = runner.state
+    if (!this.may('runners')) return nothing
     return html`<div class="actions">
       <button
         type="button"

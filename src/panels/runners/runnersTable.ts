@@ -3,6 +3,7 @@ import { repeat } from 'lit/directives/repeat.js'
 import { frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
 import { engines } from '../../engines/index.ts'
 import type { Described } from '../../physics/index.ts'
+import { allowed } from '../../lab/allowed.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
 import { measuredDelta } from './measuredDelta.ts'
@@ -33,19 +34,30 @@ export function runnersTable(lab: LabView) {
           .selected=${index === lab.selected}
         ></slide-runner-row>`,
     )}
-    <button
-      type="button"
-      class="add"
-      ?disabled=${runners.length >= MOST_RUNNERS}
-      @click=${(event: Event) => add(lab, event.currentTarget as HTMLElement)}
-    >
-      Add a runner
-    </button>
-    <slide-record-frames
-      .lab=${lab}
-      .selected=${runners[lab.selected]?.name ?? ''}
-    ></slide-record-frames>
-    <slide-open-log .lab=${lab} .selected=${runners[lab.selected]?.name ?? ''}></slide-open-log>
+    ${allowed(
+      lab,
+      'runners',
+      html`<button
+        type="button"
+        class="add"
+        ?disabled=${runners.length >= MOST_RUNNERS}
+        @click=${(event: Event) => add(lab, event.currentTarget as HTMLElement)}
+      >
+        Add a runner
+      </button>`,
+    )}
+    ${allowed(
+      lab,
+      'frames',
+      html`<slide-record-frames
+          .lab=${lab}
+          .selected=${runners[lab.selected]?.name ?? ''}
+        ></slide-record-frames>
+        <slide-open-log
+          .lab=${lab}
+          .selected=${runners[lab.selected]?.name ?? ''}
+        ></slide-open-log>`,
+    )}
     ${notes(lab)}
   </section>`
 }

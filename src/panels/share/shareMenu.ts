@@ -1,8 +1,10 @@
 import { html, LitElement, nothing } from 'lit'
+import { decimalSign } from '../../chart/typedNumber.ts'
 import { freshId } from '../../ui/input.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { isPublic, onSiteChange, site } from '../../lab/site.ts'
 import { linkTo, whyNoLink } from '../../lab/state/address.ts'
+import { lessonLink } from './lessonLink.ts'
 import { toCsv, elementCode, fileName, frameCode, markdownCode, toJson } from './texts.ts'
 import type { CsvStyle } from './texts.ts'
 import { pictureOf } from './picture.ts'
@@ -99,7 +101,13 @@ class ShareMenu extends LitElement {
     return html`${this.item('Copy link', () => this.copyLink(home))}
     ${this.item('Copy embed code: HTML', () => this.embed(elementCode, home))}
     ${this.item('Copy embed code: Markdown, MDX', () => this.embed(markdownCode, home))}
-    ${this.item('Copy embed code: frame', () => this.embed(frameCode, home))}`
+    ${this.item('Copy embed code: frame', () => this.embed(frameCode, home))}
+    ${
+      // A compact lab has too little to choose from.
+      this.closest('.tools')
+        ? lessonLink(this.lab, (lesson) => this.copyLink(home, lesson))
+        : nothing
+    }`
   }
 
   private item(label: string, act: () => unknown) {
@@ -127,8 +135,8 @@ class ShareMenu extends LitElement {
     if (!event.composedPath().includes(this)) this.close()
   }
 
-  private copyLink(home: string): void {
-    if (!this.isTooLong()) void this.copy(linkTo('', home, this.state))
+  private copyLink(home: string, lesson = ''): void {
+    if (!this.isTooLong()) void this.copy(linkTo('', home, this.state, lesson))
   }
 
   /** Says so where a link would be longer than what can be read again. */
@@ -189,12 +197,11 @@ class ShareMenu extends LitElement {
 }
 
 /** What spreadsheets of the reader's language open: most of those with decimal commas take semicolons between cells. */
-const semicolons = (() => {
-  const parts = new Intl.NumberFormat().formatToParts(0.5)
-  const decimal = parts.find(({ type }) => type === 'decimal')!.value
-  const label = `Save data (CSV, semicolons${decimal === ',' ? ', decimal commas' : ''})`
-  return { separator: ';', decimal, label } as const
-})()
+const semicolons = {
+  separator: ';',
+  decimal: decimalSign,
+  label: `Save data (CSV, semicolons${decimalSign === ',' ? ', decimal commas' : ''})`,
+} as const
 
 /** A page in a frame can’t know whether it may save files: the sandbox refuses without a word to it. */
 const isFramed = typeof window === 'object' && window.parent !== window

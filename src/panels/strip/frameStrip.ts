@@ -99,7 +99,7 @@ class FrameStrip extends LitElement {
       ${
         window
           ? html`<div class="enlarged" aria-hidden="true">
-              <p><span>${bound('from')}</span><span class="to">${bound('to')}&thinsp;s</span></p>
+              <p><span>${bound('from')}</span><span class="to">${bound('to')}&#x202f;s</span></p>
               <canvas .style="height: ${layOutLanes(runners, false).height}px"></canvas>
             </div>`
           : nothing

@@ -59,7 +59,7 @@ export function sourceHtml(env: Env, address: string, caption: string, line: num
   }
   const language = endings[path.split('.').at(-1)!] ?? 'ts'
   return `<figure class="code">${listing(env.highlight(code, language), `From ${path}`)}
-<figcaption><code>${escaped(path)}</code>${caption && ` <div>${caption}</div>`}</figcaption></figure>\n`
+<figcaption>${pathHtml(path)}${caption && ` <div>${caption}</div>`}</figcaption></figure>\n`
 }
 
 /** The take-home steps in all their languages. The page's script turns the headings into tabs. */
@@ -78,7 +78,7 @@ export function takeHomeHtml(env: Env, line: number): string {
     return `<div class="code" id="${id}">
 <p class="tab">${escaped(name)}</p>
 ${listing(code, `The step in ${name}`)}
-<p class="path"><code>${escaped(file.path)}</code></p></div>`
+<p class="path">${pathHtml(file.path)}</p></div>`
   })
   return `<div class="take-home">\n${parts.join('\n')}\n</div>\n`
 }
@@ -127,4 +127,9 @@ function dedented(lines: readonly string[]): string {
     .map((line) => line.slice(indent))
     .join('\n')
     .replace(/^\n+/, '')
+}
+
+/** A path that breaks between its names where it breaks: Safari knows no place in it. */
+function pathHtml(path: string): string {
+  return `<code>${escaped(path).replaceAll('/', '/<wbr>')}</code>`
 }

@@ -1,28 +1,59 @@
 /** The class of a section that is laid out for good: `reading.css` leaves the others until they come near. */
 const LAID_OUT = 'laid-out'
 
-/** Safari has no word for it. */
-const whenIdle = window.requestIdleCallback ?? ((then: () => void) => setTimeout(then, 50))
+/** Of a frame that takes less time than this, enough is left over [ms]. */
+const LEFT_OVER = 8
+/** How long to wait before asking again [ms]. */
+const AGAIN = 100
 
 /**
- * Lays sections out one at a time, whenever the browser has nothing else to do: the text is as long as twenty screens,
- * and a reader's first drag is not to wait for it. Where the address asks for a place in the text, all at once, since
- * what stands above it has to have its height.
+ * Lays sections out one at a time while nothing on the page moves: the text is as long as twenty screens, and neither a
+ * reader's first drag nor a run that plays is to wait for it. A section that comes near before is laid out by the browser.
+ * Where the address asks for a place in the text, all are laid out at once, since what stands above it has to have its
+ * height.
  */
 export function layOutInTurn(sections: readonly HTMLElement[]): void {
-  const target = document.querySelector('.text :target')
-  if (target) {
-    for (const section of sections) section.classList.add(LAID_OUT)
+  const waiting = [...sections]
+  const land = () => {
+    const target = document.querySelector('.text :target')
+    if (!target) return
+    removeEventListener('hashchange', land)
+    for (const section of waiting.splice(0)) section.classList.add(LAID_OUT)
     target.scrollIntoView()
     holdInPlace(target)
-    return
   }
-  const [first, ...others] = sections
-  if (!first) return
-  whenIdle(() => {
-    first.classList.add(LAID_OUT)
-    layOutInTurn(others)
-  })
+  const next = () => {
+    const section = waiting.shift()
+    if (section) layOut(section)
+    if (waiting.length > 0) whenAtRest(next)
+    else removeEventListener('hashchange', land)
+  }
+  addEventListener('hashchange', land)
+  land()
+  whenAtRest(next)
+}
+
+/** Lays out a section; one above the window pushes nothing of what the reader sees. */
+function layOut(section: HTMLElement): void {
+  const { bottom } = section.getBoundingClientRect()
+  section.classList.add(LAID_OUT)
+  const moved = section.getBoundingClientRect().bottom - bottom
+  // Safari's pages have no anchor.
+  if (bottom <= 0 && !CSS.supports('overflow-anchor: auto'))
+    scrollBy({ top: moved, behavior: 'instant' })
+}
+
+/**
+ * Calls back in a frame that has time left over. `requestIdleCallback` calls between any two frames of a run that plays,
+ * which the next one then waits for, and Safari has none.
+ */
+function whenAtRest(then: () => void): void {
+  requestAnimationFrame((start) =>
+    setTimeout(() => {
+      if (performance.now() - start < LEFT_OVER) then()
+      else setTimeout(() => whenAtRest(then), AGAIN)
+    }),
+  )
 }
 
 /** What a reader does who takes the page into their own hands. */
