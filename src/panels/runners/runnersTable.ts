@@ -78,7 +78,7 @@ function notes(lab: LabView) {
   const its = engines.find(({ label }) => label === engine)
   return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.paletteIndex})">
     ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
-    ${note(frameClocks, frames.kind)} ${measuredDelta(lab)}
+    ${note(frameClocks, frames.kind)} ${allowed(lab, 'frames', measuredDelta(lab))}
     ${
       its
         ? html`<div class="engine">
