@@ -37,7 +37,7 @@ export function face(shown: Face) {
     <div class="below" @change=${hush} @input=${hush}>
       ${transportOf(shown)} ${controlsOf(shown)} ${readings(shown)}
       <p class="says" part="outcome">${says}</p>
-      ${figure.advice ? html`<p class="says">${figure.advice.text(values)}</p>` : nothing}
+      ${figure.advice ? html`<p class="advice">${figure.advice.text(values)}</p>` : nothing}
       <p class="visually-hidden" aria-live="polite">${spoken}</p>
     </div>`
 }
