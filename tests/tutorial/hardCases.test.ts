@@ -57,9 +57,9 @@ describe('the table of hard cases', () => {
       expect(() => readAddress(addresses[0]!)).toThrow(ExperimentError)
       return
     }
-    const runs = addresses.map(readAddress).flatMap(({ scene, parameters, runners }) =>
+    const runs = addresses.map(readAddress).flatMap(({ scene, parameters, timeScale, runners }) =>
       runners.map(({ integrator, stopping, timestep, frames }) => ({
-        ...{ scene, parameters, integrator, stopping, timestep, frames },
+        ...{ scene, parameters, timeScale, integrator, stopping, timestep, frames },
       })),
     )
     const experiments = each.experiments.map(parseExperiment)
