@@ -29,11 +29,11 @@ export default defineConfig({
           groups: [
             // The page's script loads the lab by it, and would else load it with the lab.
             { name: 'load', test: (id) => id === helper },
-            // What is loaded first: the physics and what the lab measures with it, which the worker has too, and the lab. Files in src itself are the pages' own.
+            // What is loaded first: the physics and what the lab measures with it, which the worker has too, and the lab. Only the worker drives runs of its own. Files in src itself are the pages' own.
             {
               name: 'physics',
               tags: ['$initial'],
-              test: /\/src\/(physics\/|measure\/(rounding|spread|withParameters)\.)/,
+              test: /\/src\/(physics\/(?!createRun\.)|measure\/(rounding|spread|withParameters)\.)/,
             },
             {
               name: 'lab',

@@ -8,6 +8,7 @@ import { whereDoesItStop } from './whereDoesItStop.ts'
 import { chatter } from './chatter.ts'
 import { threeStops } from './threeStops.ts'
 import { framesAndTicks } from './framesAndTicks.ts'
+import { inputAndTicks } from './inputAndTicks.ts'
 import { hitch } from './hitch.ts'
 import { yourFrames } from './yourFrames.ts'
 import { yourEngine } from './yourEngine.ts'
@@ -34,6 +35,7 @@ export const all: readonly Figure[] = [
   chatter,
   threeStops,
   framesAndTicks,
+  inputAndTicks,
   hitch,
   yourFrames,
   yourEngine,

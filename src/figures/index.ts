@@ -18,6 +18,7 @@ export const figures: readonly FigureEntry[] = [
   'chatter',
   'three-stops',
   'frames-and-ticks',
+  'input-and-ticks',
   'hitch',
   'your-frames',
   'your-engine',

@@ -31,6 +31,7 @@ type Answer = (typeof answers)[number]
 /** The controls of every scene, in the order of the page; the parameters come before them. */
 const common: Readonly<Record<string, string>> = {
   duration: 'Duration',
+  timeScale: 'Time scale',
   fps: 'Frame rate',
   frames: 'Frames',
   integrator: 'Integrator',
@@ -101,6 +102,7 @@ function usedBy(change: Change): readonly string[] {
       return ['presets']
     case 'scene':
     case 'duration':
+    case 'timeScale':
       return [change.kind]
     default:
       return ['runners']

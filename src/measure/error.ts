@@ -19,22 +19,30 @@ export interface ErrorSizes {
 
 /** How far the physics state is from the truth at the state's own time: s − exact(stateTime). */
 export function trajectoryErrors(trajectory: Trajectory): Errors {
-  return errors(trajectory, trajectory.s, trajectory.stateTime)
+  return errors(trajectory, trajectory.s, trajectory.stateTime, 1)
 }
 
-/** How far what a frame shows is from the truth at the frame's time: drawnS − exact(time). */
+/**
+ * How far what a frame shows is from the truth at the time when it is shown, times the time scale: drawnS − exact(time).
+ * A game that measures its frames wrongly shows that here, and not in the error of its trajectory.
+ */
 export function presentationErrors(trajectory: Trajectory): Errors {
-  return errors(trajectory, trajectory.drawnS, trajectory.time)
+  return errors(trajectory, trajectory.drawnS, trajectory.time, trajectory.experiment.timeScale)
 }
 
 /** The sizes of the presentation errors, without allocating a list of them. */
 export function presentationErrorSizes(trajectory: Trajectory): ErrorSizes {
-  return sizes(trajectory, trajectory.drawnS, trajectory.time)
+  return sizes(trajectory, trajectory.drawnS, trajectory.time, trajectory.experiment.timeScale)
 }
 
-function errors(trajectory: Trajectory, positions: Float64Array, times: Float64Array): Errors {
+function errors(
+  trajectory: Trajectory,
+  positions: Float64Array,
+  times: Float64Array,
+  scale: number,
+): Errors {
   const each = new Float64Array(positions.length)
-  const { largest, rms } = sizes(trajectory, positions, times, each)
+  const { largest, rms } = sizes(trajectory, positions, times, scale, each)
   return { each, atEnd: each[each.length - 1]!, largest, rms }
 }
 
@@ -42,6 +50,7 @@ function sizes(
   { experiment }: Trajectory,
   positions: Float64Array,
   times: Float64Array,
+  scale: number,
   each?: Float64Array,
 ): ErrorSizes {
   const motion = exactMotion(experiment)
@@ -49,7 +58,7 @@ function sizes(
   let largest = 0
   let squares = 0
   for (let row = 0; row < positions.length; row++) {
-    const error = positions[row]! - motion(times[row]!, truth).s
+    const error = positions[row]! - motion(scale * times[row]!, truth).s
     largest = Math.max(largest, Math.abs(error))
     squares += error * error
     if (each) each[row] = error

@@ -1,6 +1,8 @@
 import {
+  defaults,
   frameClocks,
   integrators,
+  measuring,
   scenes,
   simulate,
   stoppings,
@@ -13,7 +15,7 @@ const ROUNDS = 2
 
 /**
  * A hash of what the physics computes: every row of 210 runs and more, all scenes × methods × rules with
- * the policies, the clocks and the parameters in rotation. Engines that agree on it agree on every bit of the runs.
+ * the policies, the clocks and the parameters in rotation, and every wrong delta with every policy. Engines that agree on it agree on every bit of the runs.
  *
  * @returns how many runs there were, and FNV-1a (Fowler, Noll & Vo, 64 bits) of their bytes in hexadecimal digits
  */
@@ -57,7 +59,32 @@ export function fingerprintExperiments(): Experiment[] {
           } as Experiment)
           turn++
         }
-  return experiments
+  return [...experiments, ...measuredExperiments()]
+}
+
+/** Every wrong delta with every policy, on the clocks in rotation, in slow motion and in fast. */
+function measuredExperiments(): Experiment[] {
+  const wrong = measuring.delta.choices.filter((delta) => delta !== measuring.delta.initial)
+  return wrong.flatMap((delta, i) =>
+    timesteps.map((timestep, j) => {
+      const turn = i * timesteps.length + j
+      const clock = frameClocks[(i + j) % frameClocks.length]!
+      return {
+        scene: scenes[turn % scenes.length]!.id,
+        parameters: parametersOf(scenes[turn % scenes.length]!, turn),
+        ...defaults,
+        timestep: { kind: timestep.id, ...settings(timestep.options, turn) },
+        frames: {
+          kind: clock.id,
+          ...settings(clock.options, turn),
+          ...settings(measuring, turn),
+          delta,
+        },
+        duration: timestep.id === 'tolerance' ? 0.05 : 1.5,
+        timeScale: turn % 2 === 0 ? 0.25 : 1.5,
+      } as Experiment
+    }),
+  )
 }
 
 /** Values within the sliders' ranges, different at every turn. */

@@ -1,7 +1,7 @@
 import { ExperimentError, frameClocks, parseExperiment } from '../physics/index.ts'
 import type { FramesChoice } from '../physics/index.ts'
 import { FramesUntil } from '../physics/framesUntil.ts'
-import { spreadClocks } from './spread.ts'
+import { spreadClocks } from './spreadTable.ts'
 
 /** What a game says of itself at the end: a number, or several by name, such as `{ x, y }`. */
 export type Reading<Read> = number | { readonly [Name in keyof Read]: number }
@@ -59,7 +59,7 @@ export function frameRateSpread<Game, const Read extends Reading<Read>>({
   const ends = runs.map((run) => {
     const game = start()
     const frames = new FramesUntil(run)
-    while (frames.next()) frame(game, frames.length)
+    while (frames.next()) frame(game, frames.delta)
     const end = read(game)
     // A game may go on writing to the object that it gave.
     return { clock: run.frames, name: nameOf(run.frames), end: copied(end) }
@@ -84,8 +84,9 @@ function checked(frames: FramesChoice, duration: number, path: string) {
 
 function nameOf(frames: FramesChoice): string {
   const label = frameClocks.find(({ id }) => id === frames.kind)!.label.toLowerCase()
-  if (!('fps' in frames)) return `${label} frames`
-  return frames.kind === 'steady' ? `${frames.fps} fps` : `${frames.fps} fps, ${label}`
+  const delta = frames.delta ? `, ${frames.delta} delta` : ''
+  if (!('fps' in frames)) return `${label} frames${delta}`
+  return `${frames.fps} fps${frames.kind === 'steady' ? '' : `, ${label}`}${delta}`
 }
 
 function copied<Read>(end: Read): Read {

@@ -33,14 +33,14 @@ export function scaleOf(experiment: ResolvedExperiment): Scale {
 }
 
 function find(experiment: ResolvedExperiment): Scale {
-  const { parameters, duration } = experiment
+  const { parameters, duration, timeScale } = experiment
   const scene: Scene = scenes.find(({ id }) => id === experiment.scene)!
   const motion = exactMotion(experiment)
   const truth = { s: 0, v: 0 }
   let length = 1
   let energy = 0
   for (let i = 0; i <= SAMPLES; i++) {
-    const { s, v } = motion((duration * i) / SAMPLES, truth)
+    const { s, v } = motion((timeScale * duration * i) / SAMPLES, truth)
     // If the true motion is not known, both are NaN, and every comparison is false.
     if (Math.abs(s) > length) length = Math.abs(s)
     const sum = parameters.mass! * (0.5 * v * v + Math.abs(scene.potential(parameters, s)))

@@ -1,5 +1,5 @@
-import { simulate, timesteps } from '../physics/index.ts'
-import type { Experiment, FramesChoice, Outcome, Trajectory } from '../physics/index.ts'
+import { timesteps } from '../physics/index.ts'
+import type { Outcome, Trajectory } from '../physics/index.ts'
 import { scaleOf } from './rounding.ts'
 
 /** How far apart the runs of one experiment end under different frames. */
@@ -22,22 +22,6 @@ export interface Spread {
   readonly scale: number
 }
 
-/** The frames under which a run must end in the same place to be called framerate-independent. */
-export const spreadClocks: readonly FramesChoice[] = [
-  ...[5, 10, 15, 24, 30, 60, 120, 144, 240].map((fps) => ({ kind: 'steady', fps }) as const),
-  { kind: 'jitter', fps: 60, amount: 0.9, seed: 1 },
-  { kind: 'hitch', fps: 60, every: 0.7, length: 0.5 },
-]
-
-/**
- * The frame-rate spread: how far apart a run ends under different frames, all else equal.
- *
- * @throws ExperimentError for an experiment that can't be run
- */
-export function frameRateSpread(experiment: Experiment): Spread {
-  return spreadOf(spreadClocks.map((frames) => simulate({ ...experiment, frames })))
-}
-
 /** How far apart some runs end; there is at least one. */
 export function spreadOf(runs: readonly Trajectory[]): Spread {
   const ends = runs.map(({ drawnS }) => drawnS[drawnS.length - 1]!)
@@ -57,7 +41,8 @@ export function spreadOf(runs: readonly Trajectory[]): Spread {
 /** When a run ended, on the wall clock [s]: to the bit, or to a frame where the policy lets the clocks stray. */
 function endTime({ experiment, outcome, stateTime, time, lostTime }: Trajectory): number {
   const policy = timesteps.find(({ id }) => id === experiment.timestep.kind)!
-  if (!policy.losesTime && lostTime === 0) return outcome.time
+  const { timeScale, frames } = experiment
+  if (!policy.losesTime && lostTime === 0 && !frames.delta) return outcome.time / timeScale
   const before = Math.max(0, stateTime.findIndex((t) => t >= outcome.time) - 1)
-  return outcome.time + time[before]! - stateTime[before]!
+  return (outcome.time - stateTime[before]!) / timeScale + time[before]!
 }

@@ -1,7 +1,23 @@
-import { integrators } from '../physics/index.ts'
-import type { Experiment, ResolvedExperiment } from '../physics/index.ts'
-import { frameRateSpread } from './spread.ts'
+import { integrators, simulate } from '../physics/index.ts'
+import type { Experiment, FramesChoice, ResolvedExperiment } from '../physics/index.ts'
+import { spreadOf } from './spread.ts'
 import type { Spread } from './spread.ts'
+
+/** The frames under which a run must end in the same place to be called framerate-independent. */
+export const spreadClocks: readonly FramesChoice[] = [
+  ...[5, 10, 15, 24, 30, 60, 120, 144, 240].map((fps) => ({ kind: 'steady', fps }) as const),
+  { kind: 'jitter', fps: 60, amount: 0.9, seed: 1 },
+  { kind: 'hitch', fps: 60, every: 0.7, length: 0.5 },
+]
+
+/**
+ * The frame-rate spread: how far apart a run ends under different frames, all else equal.
+ *
+ * @throws ExperimentError for an experiment that can't be run
+ */
+export function frameRateSpread(experiment: Experiment): Spread {
+  return spreadOf(spreadClocks.map((frames) => simulate({ ...experiment, frames })))
+}
 
 /** A method: how frames become motion. */
 export type Method = Readonly<Pick<ResolvedExperiment, 'timestep' | 'integrator' | 'stopping'>>

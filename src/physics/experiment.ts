@@ -1,5 +1,6 @@
 import type { frameClocks } from './frames/index.ts'
 import type { IntegratorId } from './integrators/index.ts'
+import type { Measuring } from './measured.ts'
 import type { Chosen, ChosenWhole } from './options.ts'
 import type { SceneId, scenes } from './scenes/index.ts'
 import type { StoppingId } from './stopping/index.ts'
@@ -13,8 +14,8 @@ export type ParameterName = KeysOfEach<(typeof scenes)[number]['parameters']>
 /** How physics time follows from frame time: a policy's id as `kind`, and its options. */
 export type Timestep = Chosen<(typeof timesteps)[number]>
 
-/** How frames follow each other: a clock's id as `kind`, and its options. */
-export type FramesChoice = Chosen<(typeof frameClocks)[number]>
+/** How frames follow each other: a clock's id as `kind`, and its options; and how the game measures them. */
+export type FramesChoice = Chosen<(typeof frameClocks)[number]> & Measuring
 
 /**
  * Everything that determines a run, as plain JSON: the same object in addresses, attributes, messages and tests.
@@ -34,6 +35,8 @@ export interface Experiment {
   frames?: FramesChoice
   /** How long the run lasts [s]; the last frame is cut to end here. Default: the scene's. */
   duration?: number
+  /** How fast the game's time goes: at 0.1 a second on the wall moves the block by a tenth of a second. Default: 1. */
+  timeScale?: number
 }
 
 /** An experiment with every default filled in. */
@@ -43,8 +46,10 @@ export interface ResolvedExperiment {
   integrator: IntegratorId
   stopping: StoppingId
   timestep: ChosenWhole<(typeof timesteps)[number]>
-  frames: ChosenWhole<(typeof frameClocks)[number]>
+  /** How the game measures them is left out where it is exact. */
+  frames: ChosenWhole<(typeof frameClocks)[number]> & Measuring
   duration: number
+  timeScale: number
 }
 
 /** The defaults of an experiment. */
@@ -53,12 +58,14 @@ export const defaults = {
   stopping: 'located',
   timestep: { kind: 'variable' },
   frames: { kind: 'steady', fps: 60 },
+  timeScale: 1,
 } as const
 
 /** Upper bounds for a run. */
 export const limits = {
   /** [s] */
   duration: 1e6,
+  timeScale: { min: 0.01, max: 100 },
   frames: 1e6,
   steps: 5e6,
   /** Evaluations of the acceleration, including those that locate events: a few seconds of work. */

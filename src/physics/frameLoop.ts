@@ -32,8 +32,9 @@ export class FrameLoop {
   next(): boolean {
     const { run, frames } = this
     if (run.ended || !frames.next()) return false
-    run.frameDuration = frames.length
     run.time = frames.time
+    run.frameDuration = run.timeScale * frames.delta
+    run.gameTime = run.timeScale * frames.measuredTime
     run.advanceFrame()
     // What no forecast of the work has seen coming, such as a step cut into thousands.
     if (run.evaluations > this.mostEvaluations) run.abandon()

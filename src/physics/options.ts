@@ -24,6 +24,8 @@ export interface NumberOption {
   readonly initial: number
   /** May be left out; the value is then `initial`. */
   readonly optional?: boolean
+  /** Is left out where it is `initial`. */
+  readonly sparse?: boolean
 }
 
 /** The range and step of a slider. */
@@ -42,6 +44,7 @@ export interface ChoiceOption {
   readonly choices: readonly string[]
   readonly initial: string
   readonly optional?: boolean
+  readonly sparse?: boolean
 }
 
 /** A list of numbers, each within the range. */
@@ -55,6 +58,7 @@ export interface ListOption {
   readonly maxLength: number
   readonly initial: readonly number[]
   readonly optional?: boolean
+  readonly sparse?: boolean
 }
 
 export type Option = NumberOption | ChoiceOption | ListOption

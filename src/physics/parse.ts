@@ -3,6 +3,7 @@ import type { ResolvedExperiment } from './experiment.ts'
 import { frameClocks } from './frames/index.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
+import { measuring } from './measured.ts'
 import type { ListOption, NumberOption, Option, Options } from './options.ts'
 import { ExperimentError, MOST_SHOWN, nearestName, shorten, show } from './problems.ts'
 import type { Problem } from './problems.ts'
@@ -12,7 +13,20 @@ import { stoppings } from './stopping/index.ts'
 import { timesteps } from './timesteps/index.ts'
 import { workProblems } from './work.ts'
 
-const KEYS = ['scene', 'parameters', 'integrator', 'stopping', 'timestep', 'frames', 'duration']
+const KEYS = [
+  'scene',
+  'parameters',
+  'integrator',
+  'stopping',
+  'timestep',
+  'frames',
+  'duration',
+  'timeScale',
+]
+
+const measuredClocks = frameClocks.map(({ id, options }) => {
+  return { id, options: { ...options, ...measuring } }
+})
 
 /** The parameters of all scenes, to check those of an unknown scene against. */
 const parametersOfAll: Scene['parameters'] = Object.assign(
@@ -29,7 +43,7 @@ const parametersOfAll: Scene['parameters'] = Object.assign(
 export function parseExperiment(value: unknown): ResolvedExperiment {
   const reader = new Reader()
   const experiment = readExperiment(reader, value)
-  if (reader.accepts('duration', 'frames', 'timestep'))
+  if (reader.accepts('duration', 'timeScale', 'frames', 'timestep'))
     reader.problems.push(...workProblems(experiment, reader.problems.length === 0))
   return reader.finish(experiment)
 }
@@ -56,6 +70,7 @@ function readExperiment(reader: Reader, value: unknown): ResolvedExperiment {
     timestep = defaults.timestep,
     frames = defaults.frames,
     duration = scene?.duration ?? 0,
+    timeScale = defaults.timeScale,
   } = given
   const experiment = {
     scene: sceneId!,
@@ -63,8 +78,9 @@ function readExperiment(reader: Reader, value: unknown): ResolvedExperiment {
     integrator: reader.id('integrator', integrator, integrators),
     stopping: reader.id('stopping', stopping, stoppings),
     timestep: reader.choice('timestep', timestep, timesteps),
-    frames: reader.choice('frames', frames, frameClocks),
+    frames: reader.choice('frames', frames, measuredClocks),
     duration: reader.number('duration', duration, { min: 0, max: limits.duration }),
+    timeScale: reader.number('timeScale', timeScale, limits.timeScale),
   }
   return experiment as ResolvedExperiment
 }
@@ -196,9 +212,10 @@ class Reader {
   options(path: string, given: Record<string, unknown>, options: Options): Record<string, unknown> {
     const result: Record<string, unknown> = {}
     for (const [key, option] of Object.entries(options)) {
-      if (key in given) result[key] = this.option(`${path}.${key}`, given[key], option)
+      if (key in given && !(option.sparse && given[key] === option.initial))
+        result[key] = this.option(`${path}.${key}`, given[key], option)
       else if (option.optional) result[key] = option.initial
-      else this.report(`${path}.${key}`, 'is missing')
+      else if (!option.sparse) this.report(`${path}.${key}`, 'is missing')
     }
     return result
   }

@@ -1,10 +1,8 @@
 import type { ResolvedExperiment } from './experiment.ts'
-import { ExactSum } from './exactSum.ts'
 import type { Integrator } from './integrator.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
 import { Motion } from './motion.ts'
-import { show } from './problems.ts'
 import { Saved } from './saved.ts'
 import type { Scene } from './scene.ts'
 import { scenes } from './scenes/index.ts'
@@ -23,19 +21,20 @@ export interface Outcome {
   time: number
 }
 
-/**
- * A run of an experiment, one frame at a time: what a game loop calls. `simulate` is a loop around it.
- * Made by `createRun`.
- */
+/** A run of an experiment, one frame at a time: `simulate` is a loop around it, and a game loop calls it as a `DrivenRun`. */
 export class Run implements FrameContext {
   /** The block: `s` [m] and `v` [m/s] are its state. */
   readonly motion: Motion
   /** Time on the wall clock, the sum of all frames [s]. */
   time = NaN
+  /** The game's time: that of the wall clock as the game measures it, times the time scale [s]. */
+  gameTime = NaN
   /** The time that the physics state stands at [s]. */
   stateTime = NaN
-  /** How long the present frame lasts [s]. */
+  /** By how much the present frame moves the game's time [s]. */
   frameDuration = NaN
+  /** How fast the game's time goes: 0.1 is slow motion. */
+  readonly timeScale: number
   /** The position that the frame shows [m]. */
   drawnS = NaN
   /** Frame time that the timestep policy dropped [s]. */
@@ -56,7 +55,6 @@ export class Run implements FrameContext {
   private outcomeTime = NaN
   private readonly saved: Saved
   private savedSteps = 0
-  private readonly wallClock = new ExactSum()
   private readonly integrator: Integrator
   private readonly rule: StoppingRule
   private readonly policy: Advance
@@ -71,6 +69,7 @@ export class Run implements FrameContext {
     const { parameters } = experiment
     this.integrator = entry(integrators, experiment.integrator)
     this.rule = entry(stoppings, experiment.stopping)
+    this.timeScale = experiment.timeScale
     this.policy = policyOf(experiment.timestep).start()
     this.advance = step
     this.motion = new Motion(
@@ -84,7 +83,8 @@ export class Run implements FrameContext {
     this.saved = new Saved(this.motion)
     this.order = Math.min(this.integrator.order, this.integrator.orderWithSpeed)
     this.drawnS = this.motion.s
-    this.time = this.stateTime = this.frameDuration = this.lostTime = this.outcomeTime = 0
+    this.time = this.gameTime = this.stateTime = this.frameDuration = 0
+    this.lostTime = this.outcomeTime = 0
   }
 
   /** The outcome so far. Once the block has left the track or diverged, further frames change only the clock. */
@@ -110,24 +110,7 @@ export class Run implements FrameContext {
   }
 
   /**
-   * Advances the run by one frame.
-   *
-   * @param duration how long the frame lasts [s], finite and not negative
-   * @throws RangeError if it is not, or if the run's time would no longer be finite
-   */
-  frame(duration: number): void {
-    if (!(typeof duration === 'number' && duration >= 0 && this.time + duration < Infinity))
-      throw new RangeError(
-        `A frame of ${show(duration)}: a frame lasts a finite number of seconds, 0 or more, and so does the run.`,
-      )
-    this.wallClock.add(duration)
-    this.frameDuration = duration
-    this.time = this.wallClock.value
-    this.advanceFrame()
-  }
-
-  /**
-   * Like `frame`, but the caller has set `frameDuration` and `time`. They are not passed as
+   * Advances the run by one frame, whose `time`, `frameDuration` and `gameTime` the caller has set. They are not passed as
    * arguments, since engines box number arguments.
    */
   advanceFrame(): void {

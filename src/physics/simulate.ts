@@ -1,19 +1,8 @@
 import type { Experiment } from './experiment.ts'
 import { FrameLoop } from './frameLoop.ts'
-import { parseExperiment, parseForRun } from './parse.ts'
-import { Run } from './run.ts'
+import { parseExperiment } from './parse.ts'
 import { Recorder } from './trajectory.ts'
 import type { Trajectory } from './trajectory.ts'
-
-/**
- * A run of an experiment that the caller drives, one `frame(dt)` at a time, as a game loop does. The experiment's
- * `frames` and `duration` are ignored: the caller decides both.
- *
- * @throws ExperimentError for an experiment that can't be run
- */
-export function createRun(experiment: Experiment): Run {
-  return new Run(parseForRun(experiment))
-}
 
 /**
  * Runs an experiment from beginning to end. Equal experiments give equal bits, on every engine.

@@ -2,9 +2,13 @@ import type { Described, Options } from './options.ts'
 
 /** One frame after another, as a timestep policy sees them. */
 export interface FrameContext {
-  /** How long the frame lasts, and the time on the wall clock at its end [s]. */
+  /**
+   * By how much the game's time goes on in the frame, and where it stands at the frame's end [s]: the frames' lengths as the
+   * game measures them, times the time scale.
+   */
   readonly frameDuration: number
-  readonly time: number
+  readonly gameTime: number
+  readonly timeScale: number
   /** The block; `dt` is for the policy to set [s]. */
   readonly motion: {
     readonly s: number

@@ -8,7 +8,11 @@ export interface Trajectory {
   frames: number
   /** Wall-clock time [s]. */
   time: Float64Array
-  /** The time that the physics state stands at [s]: behind `time` under `fixed` and `capped`, unrelated under `per-frame`. */
+  /** The game's time [s]: `time` as the game measures its frames, times the time scale. Where nothing is said of both, `time`. */
+  gameTime: Float64Array
+  /**
+   * The time that the physics state stands at [s]: behind `gameTime` under `fixed` and `capped`, unrelated under `per-frame`.
+   */
   stateTime: Float64Array
   /** The physics state: distance along the track [m] and speed [m/s]. */
   s: Float64Array
@@ -33,67 +37,58 @@ export interface Trajectory {
   outcome: Outcome
 }
 
+const columns = ['time', 'gameTime', 'stateTime', 's', 'v', 'drawnS', 'heat', 'work'] as const
+
+type Columns = Pick<Trajectory, (typeof columns)[number]>
+
 /** Records a run frame by frame. */
 export class Recorder {
   private rows = 0
-  private time: Float64Array
-  private stateTime: Float64Array
-  private s: Float64Array
-  private v: Float64Array
-  private drawnS: Float64Array
-  private heat: Float64Array
-  private work: Float64Array
+  private columns: Columns
 
   /** `capacity`: the expected number of rows; the arrays grow if there are more. */
   constructor(capacity: number) {
-    this.time = new Float64Array(capacity)
-    this.stateTime = new Float64Array(capacity)
-    this.s = new Float64Array(capacity)
-    this.v = new Float64Array(capacity)
-    this.drawnS = new Float64Array(capacity)
-    this.heat = new Float64Array(capacity)
-    this.work = new Float64Array(capacity)
+    this.columns = columnsOf(() => new Float64Array(capacity))
   }
 
   record(run: Run): void {
     const row = this.rows++
     // Random clocks exceed the expected number of frames by little.
-    if (row === this.time.length) this.resize(row + (row >> 4) + 16)
+    if (row === this.columns.time.length) this.resize(row + (row >> 4) + 16)
+    const { columns } = this
     const { motion } = run
-    this.time[row] = run.time
-    this.stateTime[row] = run.stateTime
-    this.s[row] = motion.s
-    this.v[row] = motion.v
-    this.drawnS[row] = run.drawnS
-    this.heat[row] = motion.heat
-    this.work[row] = motion.work
+    columns.time[row] = run.time
+    columns.gameTime[row] = run.gameTime
+    columns.stateTime[row] = run.stateTime
+    columns.s[row] = motion.s
+    columns.v[row] = motion.v
+    columns.drawnS[row] = run.drawnS
+    columns.heat[row] = motion.heat
+    columns.work[row] = motion.work
   }
 
   trajectory(experiment: ResolvedExperiment, run: Run): Trajectory {
     this.resize(this.rows)
-    const { time, stateTime, s, v, drawnS, heat, work } = this
     const { frames, steps, evaluations, lostTime, outcome, abandoned } = run
     const { unsolved } = run.motion
     return {
-      ...{ experiment, frames, time, stateTime, s, v, drawnS, heat, work },
+      ...{ experiment, frames, ...this.columns },
       ...{ steps, evaluations, unsolved, abandoned, lostTime, outcome },
     }
   }
 
   private resize(rows: number): void {
-    if (rows === this.time.length) return
-    this.time = resized(this.time, rows)
-    this.stateTime = resized(this.stateTime, rows)
-    this.s = resized(this.s, rows)
-    this.v = resized(this.v, rows)
-    this.drawnS = resized(this.drawnS, rows)
-    this.heat = resized(this.heat, rows)
-    this.work = resized(this.work, rows)
+    const { columns } = this
+    if (rows !== columns.time.length) this.columns = columnsOf((key) => resized(columns[key], rows))
   }
+}
+
+function columnsOf(make: (key: keyof Columns) => Float64Array): Columns {
+  return Object.fromEntries(columns.map((key) => [key, make(key)])) as unknown as Columns
 }
 
 function resized(column: Float64Array, rows: number): Float64Array {
   const other = new Float64Array(rows)
-  other.set(column.length > rows ? column.subarray(0, rows) : column)
+  other.set(column.subarray(0, rows))
   return other
 }

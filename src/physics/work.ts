@@ -17,7 +17,7 @@ const TRIALS = 8
  * too many evaluations of the acceleration.
  */
 export function workProblems(experiment: ResolvedExperiment, whole: boolean): Problem[] {
-  const { duration, frames, timestep, integrator, stopping, parameters } = experiment
+  const { duration, timeScale, frames, timestep, integrator, stopping, parameters } = experiment
   const problems: Problem[] = []
   const frameCount = clockOf(frames).frames(duration)
   if (frameCount > limits.frames)
@@ -25,7 +25,9 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
       path: 'duration',
       message: `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
     })
-  const steps = policyOf(timestep).steps(duration, frameCount)
+  // Frames that are measured wrongly may come to more, which only a bound on the run itself catches.
+  const gameTime = timeScale * duration
+  const steps = policyOf(timestep).steps(gameTime, frameCount)
   if (steps > limits.steps)
     problems.push({
       path: 'timestep.step',
@@ -33,7 +35,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
     })
   if (!whole || problems.length > 0) return problems
   const { least, most }: Integrator['evaluations'] = entry(integrators, integrator).evaluations
-  const located = stopping === 'located' ? reversals(parameters, duration) : 0
+  const located = stopping === 'located' ? reversals(parameters, gameTime) : 0
   // A typical step lies between the fewest and the most evaluations: for implicit midpoint 6 of 1 to 40.
   const evaluations = (steps + TRIALS * located) * Math.sqrt(least * most)
   if (evaluations > limits.evaluations)

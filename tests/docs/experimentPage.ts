@@ -1,5 +1,5 @@
 import { defaults, integrators, scenes, stoppings, timesteps } from '../../src/physics/index.ts'
-import { frameClocks, limits } from '../../src/physics/index.ts'
+import { frameClocks, limits, measuring } from '../../src/physics/index.ts'
 import type { NumberOption, Option, Scene } from '../../src/physics/index.ts'
 
 /* docs/experiment.md: what an experiment can say, read off the lists of src/physics. */
@@ -86,6 +86,27 @@ Default: \`${defaults.frames.kind}\`, at ${defaults.frames.fps} fps.
 
 ${choices(frameClocks)}
 
+How the game measures its frames is an option of every clock. Frames are shown for as long as the clock says; the game moves by
+its delta time. Default: \`exact\`.
+
+${table(
+  ['option', 'values'],
+  Object.entries(measuring).map(([name, option]) => [
+    `\`${name}\``,
+    optionWords([name, option]).replace(/^\S+ /, ''),
+  ]),
+)}
+
+- \`rounded\`: to whole milliseconds.
+- \`mean\`: the mean of the last \`meanOf\` frames, or of all while there are fewer.
+- \`snapped\`: the nearest whole number of refreshes of a display at \`snapTo\`, and one at the least.
+- \`late\`: the length of the frame before; of the first frame, 0.
+
+## Slow motion
+
+\`timeScale\`, from ${plain(limits.timeScale.min)} to ${plain(limits.timeScale.max)}, is how fast the game’s time goes. Default: ${defaults.timeScale}. At 0.1 a frame moves the game by a tenth of
+its delta time, and what is shown after 10 s is compared with the true motion after 1 s.
+
 ## Limits
 
 A run lasts at most ${plain(limits.duration)} s, and takes at most ${plain(limits.frames)} frames, ${plain(limits.steps)} steps and ${plain(limits.evaluations)} evaluations of the acceleration.
@@ -125,7 +146,7 @@ function choices(list: readonly Choice[]): string {
 }
 
 function optionWords([name, option]: [string, Option]): string {
-  const optional = option.optional ? ', optional' : ''
+  const optional = option.optional || option.sparse ? ', optional' : ''
   if (option.type === 'choice')
     return `\`${name}\`: ${option.choices.map((choice) => `\`${choice}\``).join(', ')}${optional}`
   const unit = option.unit ? ` ${option.unit}` : ''

@@ -4,8 +4,11 @@ import { figures } from '../../src/figures/index.ts'
 import { figurePresets } from '../../src/lab/presets/figures.ts'
 import { stateOf, sideBySide } from '../../src/lab/presets/hardCases.ts'
 
-/** What a lab can't show: another step, the work of a whole sweep, and damping, which is no force of its scenes. */
-const NOT_THERE = ['paper-step', 'speed-against-error', 'coasting', 'following']
+/** What a lab can't show: another step, the work of a whole sweep, damping, which is no force of its scenes, and presses. */
+const NOT_THERE = [
+  ...['paper-step', 'speed-against-error', 'coasting', 'following'],
+  'input-and-ticks',
+]
 
 test('there is a preset for every figure that a lab can show', () => {
   const shown = figurePresets.map(({ figure }) => figure)

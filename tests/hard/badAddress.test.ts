@@ -15,11 +15,12 @@ const states: fc.Arbitrary<LabState> = fc
       maxLength: MOST_RUNNERS,
     }),
   )
-  .map(([{ scene, parameters, duration }, runners]) => ({
+  .map(([{ scene, parameters, duration, timeScale }, runners]) => ({
     scene,
     parameters,
     // The runners come from other runs, whose clocks may ask for too much in this one's time.
     duration: Math.min(duration, 1),
+    timeScale,
     runners: runners.map(([{ integrator, stopping, timestep, frames }, paletteIndex, hidden]) => ({
       ...{ integrator, stopping, timestep, frames },
       ...{ paletteIndex, hidden },

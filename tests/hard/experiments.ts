@@ -7,6 +7,8 @@ import type { Arbitrary } from 'fast-check'
 import {
   frameClocks,
   integrators,
+  limits,
+  measuring,
   parseExperiment,
   scenes,
   stoppings,
@@ -125,6 +127,13 @@ export function experiments(how: 'tame' | 'wild', from: Lists = {}): Arbitrary<R
           fc.integer({ min: 0, max: 4000 }).map((ms) => ms / 1000),
           fc.double({ min: 0, max: 1e6, noNaN: true }),
         )
+  // Half of the wild ones are measured wrongly, and half are slow or fast.
+  const measured =
+    how === 'tame' ? fc.constant({}) : fc.oneof(fc.constant({}), values(measuring, draw))
+  const timeScale =
+    how === 'tame'
+      ? fc.constant(1)
+      : fc.oneof(fc.constant(1), fc.double({ ...limits.timeScale, noNaN: true }))
   return fc
     .constantFrom(...(from.scenes ?? scenes))
     .chain((scene) =>
@@ -134,8 +143,11 @@ export function experiments(how: 'tame' | 'wild', from: Lists = {}): Arbitrary<R
         integrator: id(from.integrators ?? integrators),
         stopping: id(from.stoppings ?? stoppings),
         timestep: choice(from.timesteps ?? timesteps, draw),
-        frames: choice(from.frameClocks ?? frameClocks, draw),
+        frames: fc
+          .tuple(choice(from.frameClocks ?? frameClocks, draw), measured)
+          .map(([frames, measured]) => ({ ...frames, ...measured })),
         duration,
+        timeScale,
       }),
     )
     .map((experiment) => {
@@ -150,11 +162,17 @@ const MOST_FRAMES = 400
 const MOST_STEPS = 1000
 
 /** Frames and steps that an experiment asks for, by what its clock and its policy say of themselves. */
-export function work({ frames, timestep, duration }: ResolvedExperiment) {
+export function work({ frames, timestep, duration, timeScale }: ResolvedExperiment) {
   const clock: FrameClock = frameClocks.find((each) => each.id === frames.kind)!
   const policy: TimestepPolicy = timesteps.find((each) => each.id === timestep.kind)!
   const count = Math.ceil(clock.frames(frames as never, duration))
-  return { frames: count, steps: policy.steps(timestep as never, duration, count) }
+  // Of a frame that is snapped to a display, a refresh counts at the least.
+  const snapped = frames.delta === 'snapped' ? count / (frames.snapTo ?? 60) : 0
+  const gameTime = timeScale * (duration + snapped)
+  return {
+    frames: count,
+    steps: policy.steps(timestep as never, gameTime, count),
+  }
 }
 
 function affordable(experiment: ResolvedExperiment): ResolvedExperiment {

@@ -4,6 +4,7 @@ import { fingerprint, fingerprintExperiments } from '../../src/measure/index.ts'
 import {
   frameClocks,
   integrators,
+  measuring,
   scenes,
   simulate,
   stoppings,
@@ -29,6 +30,9 @@ describe('the fingerprint', () => {
     )
     expect(combinations(({ timestep, stopping }) => `${timestep!.kind} ${stopping}`)).toBe(
       timesteps.length * stoppings.length,
+    )
+    expect(combinations(({ timestep, frames }) => `${timestep!.kind} ${frames!.delta}`)).toBe(
+      timesteps.length * measuring.delta.choices.length,
     )
     expect(experiments.length).toBeGreaterThanOrEqual(200)
   })

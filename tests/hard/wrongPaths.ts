@@ -2,6 +2,7 @@ import {
   frameClocks,
   integrators,
   limits,
+  measuring,
   scenes,
   stoppings,
   timesteps,
@@ -10,7 +11,10 @@ import type { Option, Options, Scene } from '../../src/physics/index.ts'
 
 type Json = Record<string, unknown>
 
-const KEYS = ['scene', 'parameters', 'integrator', 'stopping', 'timestep', 'frames', 'duration']
+const KEYS = [
+  ...['scene', 'parameters', 'integrator', 'stopping', 'timestep', 'frames'],
+  ...['duration', 'timeScale'],
+]
 const parametersOfAll: Options = Object.assign({}, ...scenes.map(({ parameters }) => parameters))
 
 /** What only goes wrong together: parameters that conflict, and a run that is too long. */
@@ -56,12 +60,17 @@ export function wrongPaths(value: unknown): string[] {
       wrong.push(`${key}.kind`)
       continue
     }
-    unknownKeys(`${key}.`, given, ['kind', ...Object.keys(chosen.options)], wrong)
-    wrongOptions(`${key}.`, given, chosen.options, wrong)
+    const options = { ...chosen.options, ...(key === 'frames' && measuring) }
+    unknownKeys(`${key}.`, given, ['kind', ...Object.keys(options)], wrong)
+    wrongOptions(`${key}.`, given, options, wrong)
   }
   const duration = get('duration', 0)
   if (!(typeof duration === 'number' && duration >= 0 && duration <= limits.duration))
     wrong.push('duration')
+  const timeScale = get('timeScale', 1)
+  const { min, max } = limits.timeScale
+  if (!(typeof timeScale === 'number' && timeScale >= min && timeScale <= max))
+    wrong.push('timeScale')
   return wrong
 }
 
@@ -79,7 +88,7 @@ function unknownKeys(path: string, value: Json, known: readonly string[], wrong:
 function wrongOptions(path: string, value: Json, options: Options, wrong: string[]): void {
   for (const [key, option] of Object.entries(options)) {
     if (!Object.hasOwn(value, key)) {
-      if (!option.optional) wrong.push(path + key)
+      if (!option.optional && !option.sparse) wrong.push(path + key)
     } else wrongValue(path + key, value[key], option, wrong)
   }
 }

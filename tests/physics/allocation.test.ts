@@ -48,7 +48,7 @@ function step(run: Run, count: number): void {
 function advance(run: Run, count: number): void {
   run.frameDuration = FRAME
   for (let i = 0; i < count; i++) {
-    run.time += FRAME
+    run.gameTime = run.time += FRAME
     run.advanceFrame()
   }
 }

@@ -39,6 +39,7 @@ describe('parseExperiment', () => {
       timestep: { kind: 'variable' },
       frames: { kind: 'steady', fps: 60 },
       duration: 2,
+      timeScale: 1,
     })
   })
 

@@ -48,7 +48,8 @@ test('every control works by keyboard, changes the picture or the words, and is 
         await site.page.keyboard.press('End')
         expect((await site.values(id))[name]).toBe(control.to)
       } else if (control.type === 'choice') {
-        await element.getByRole('radio', { checked: true, name: labelOf(control) }).focus()
+        if (control.menu) await element.locator(`#${id}-${name}`).focus()
+        else await element.getByRole('radio', { checked: true, name: labelOf(control) }).focus()
         await site.page.keyboard.press('ArrowDown')
         expect((await site.values(id))[name]).not.toBe(control.initial)
       } else {

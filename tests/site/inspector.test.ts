@@ -35,8 +35,8 @@ test('shows the numbers of the step that ran', async () => {
   const { state, numbers, frame, text, problems, shown } = await openInspector(
     'scene=half-pipe&muKinetic=0.2&muStatic=0.3&runners=10/rk4',
   )
-  const { scene, parameters, duration, runners } = await state()
-  const experiment = experimentOf({ scene, parameters, duration, runners }, runners[0]!)
+  const lab = await state()
+  const experiment = experimentOf(lab, lab.runners[0]!)
   await frame('First')
   for (const row of [1, 2, 3]) {
     expect(await shown()).toEqual([`Frame ${row} of ${simulate(experiment).frames}`])

@@ -8,7 +8,9 @@ test('the lab opens on a picture that is already wrong, without a problem', asyn
   const { page, problems, spread, runner, time } = await openLab()
   expect(await page.title()).toBe('Any Frame Rate')
   expect(await spread()).toBe('0.23\u202fm')
-  expect(await page.getByRole('button', { pressed: true }).allInnerTexts()).toEqual(['Clamped'])
+  expect(
+    await page.locator('slide-lab').getByRole('button', { pressed: true }).allInnerTexts(),
+  ).toEqual(['Clamped'])
   expect(await time().getAttribute('aria-valuetext')).toBe('1.00 of 1.00 seconds')
   const ends = await page.locator('slide-runner-row .end output').allInnerTexts()
   expect(ends).toEqual(['−0.246\u202fm', '−0.082\u202fm', '−0.021\u202fm'])

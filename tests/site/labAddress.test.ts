@@ -10,7 +10,9 @@ test('the address holds what differs from the opening, and a reload brings it ba
   const state = await lab.state()
   await page.reload()
   await expect.poll(lab.state).toEqual(state)
-  expect(await page.getByRole('button', { pressed: true }).allInnerTexts()).toEqual(['Located'])
+  expect(
+    await page.locator('slide-lab').getByRole('button', { pressed: true }).allInnerTexts(),
+  ).toEqual(['Located'])
   await page.getByRole('button', { name: 'Reset Angle' }).click()
   await page.getByRole('button', { name: 'Clamped' }).click()
   await lab.address(/^$/)

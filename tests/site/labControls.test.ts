@@ -232,7 +232,9 @@ test('the buttons set all runners at once', async () => {
   for (const { label, method, about } of modes) {
     await page.getByRole('button', { name: label }).click()
     for (const runner of (await state()).runners) expect(runner).toMatchObject(method)
-    expect(await page.getByRole('button', { pressed: true }).allInnerTexts()).toEqual([label])
+    expect(
+      await page.locator('slide-lab').getByRole('button', { pressed: true }).allInnerTexts(),
+    ).toEqual([label])
     expect(await page.locator('.modes .about').innerText()).toBe(about)
     spreads.push((await spread()).replaceAll('\u202f', ' '))
   }
@@ -240,5 +242,5 @@ test('the buttons set all runners at once', async () => {
   expect(spreads[3]).toMatch(/^0( |$)/)
   expect(spreads[4]).toBe('0 (to rounding)')
   await page.locator('slide-runner-row').first().getByLabel('Integrator').selectOption('rk8')
-  expect(await page.getByRole('button', { pressed: true }).count()).toBe(0)
+  expect(await page.locator('slide-lab').getByRole('button', { pressed: true }).count()).toBe(0)
 })

@@ -43,7 +43,7 @@ export function face(shown: Face) {
         hides('outcome')
           ? nothing
           : html`<p class="says" part="outcome">${says}</p>
-              ${figure.advice ? html`<p class="says">${figure.advice.text(values)}</p>` : nothing}
+              ${figure.advice ? html`<p class="advice">${figure.advice.text(values)}</p>` : nothing}
               <p class="visually-hidden" aria-live="polite">${spoken}</p>`
       }
     </div>`
@@ -105,7 +105,7 @@ function transportOf({ figure, values, playback, set }: Face) {
   const { playing } = playback
   const label = playing ? 'Pause' : 'Play'
   const act = () => {
-    set({ ...action!.act(values) })
+    set({ ...action!.act(values, performance.now() / 1000) })
     playback.toStart()
     playback.play()
   }

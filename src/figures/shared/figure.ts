@@ -81,8 +81,11 @@ export interface Figure<V = ControlValues> {
     /** How much more room it takes than the pictures, in a wide column and in a narrow one [rem]. */
     readonly room: { readonly wide: number; readonly narrow: number }
   }
-  /** A button of its own: its name, and the values that pressing it leads to; then it plays from the start. */
-  readonly action?: { label(values: V): string; act(values: V): V }
+  /**
+   * A button of its own: its name, and the values that pressing it leads to, given when that is [s]; then it plays from the
+   * start.
+   */
+  readonly action?: { label(values: V): string; act(values: V, now: number): V }
 }
 
 /** What the values of controls are. */

@@ -98,12 +98,12 @@ export function sideBySide(experiments: readonly Experiment[]): Experiment[][] {
  */
 export function stateOf(experiments: readonly Experiment[]): LabState {
   const resolved = experiments.map(parseExperiment)
-  const { scene, parameters } = resolved[0]!
+  const { scene, parameters, timeScale } = resolved[0]!
   const runners = resolved.map(({ frames, timestep, integrator, stopping }, paletteIndex) => ({
     ...{ frames, timestep, integrator, stopping },
     ...{ paletteIndex, hidden: false },
   }))
-  return checked({ scene, parameters, runners, duration: durationOf(experiments) })
+  return checked({ scene, parameters, timeScale, runners, duration: durationOf(experiments) })
 }
 
 /** How long they are run there [s]. */

@@ -4,6 +4,8 @@ import type { Preset } from './preset.ts'
 
 const paper = 'semi-implicit-euler/clamped'
 const blocks = `runners=10/${paper};30/${paper};120/${paper};30`
+const gliding = 'angle=0&muStatic=0&muKinetic=0&speed=4&duration=2'
+const latest = 'fixed(step:1/60,draw:latest)'
 const exactly = 'tolerance(tolerance:1e-6)/rk4'
 
 /** What a player would call it, what to watch, and the lab's address, by the group of the menu. */
@@ -42,6 +44,33 @@ const groups: Readonly<Record<string, readonly (readonly [string, string, string
       `scene=belt&stiffness=20&muStatic=0.6&muKinetic=0.2&duration=5&runners=10/${paper};120/${paper};30/${exactly}`,
     ],
   ],
+  'What the game takes for time': [
+    [
+      'Why does it stutter at a steady 60?',
+      'Its timer counts whole milliseconds, so every frame is taken for 17 ms. The physics gains a third of a millisecond a frame, and every fiftieth frame takes two steps: the block jumps, and the game runs 2 % fast.',
+      `${gliding}&runners=steady(fps:60,delta:rounded)/${latest};60/${latest}`,
+    ],
+    [
+      'A smoothed delta',
+      'Some frames miss a refresh. The block with the mean of the last ten falls behind each time and hurries after the other for ten frames: to a player both stutter.',
+      `${gliding}&runners=missed-vsync(fps:60,seed:1,delta:mean);missed-vsync(fps:60,seed:1)`,
+    ],
+    [
+      'Snapped to the wrong display',
+      'Made for 60 Hz, where snapping mends every delta. At 75 Hz each frame is still taken for a sixtieth of a second, and the game runs 25 % fast.',
+      `${gliding}&runners=steady(fps:75,delta:snapped);steady(fps:60,delta:snapped)`,
+    ],
+    [
+      'One frame late',
+      'The usual loop measures a frame when it is over. As long as frames are steady the block is one of them behind; when one misses a refresh, it is too far back in that frame and jumps in the next.',
+      `${gliding}&runners=missed-vsync(fps:60,seed:1,delta:late);missed-vsync(fps:60,seed:1)`,
+    ],
+    [
+      'Slow motion at a tenth',
+      'At 0.1× only six of the fixed steps come in a second. Drawn at the latest step, the block moves in jerks; drawn between two steps, it glides.',
+      `timeScale=0.1&duration=8&runners=60/${latest}/${paper};60/fixed(step:1/60)/${paper};60`,
+    ],
+  ],
   'To a tolerance': [
     [
       'Three frame rates in a half-pipe',
@@ -56,7 +85,7 @@ const groups: Readonly<Record<string, readonly (readonly [string, string, string
   ],
 }
 
-/** Hilltops, belts and tolerances, as players meet them. */
+/** Hilltops, belts, clocks and tolerances, as players meet them. */
 export const situationPresets: readonly Preset[] = Object.entries(groups).flatMap(([group, rows]) =>
   rows.map(([label, watch, address]) => preset(group, label, watch, () => readAddress(address))),
 )

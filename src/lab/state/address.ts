@@ -13,7 +13,7 @@ import type { LabState } from './state.ts'
  *
  *     scene=half-pipe&radius=3&duration=20&runners=30;60/rk4
  *
- * `scene` is a scene's id, `duration` is in seconds, `runners` is described in runnerText.ts, and every other key is a
+ * `scene` is a scene's id, `duration` is in seconds, `timeScale` a number, `runners` is described in runnerText.ts, and every other key is a
  * parameter of the scene. A number is a decimal or a fraction. What is left out is as in the opening of that scene.
  */
 export function writeAddress(state: LabState): string {
@@ -23,6 +23,7 @@ export function writeAddress(state: LabState): string {
   for (const [name, value] of Object.entries(state.parameters))
     if (value !== start.parameters[name]) fields.push(`${name}=${writeNumber(value)}`)
   if (state.duration !== start.duration) fields.push(`duration=${writeNumber(state.duration)}`)
+  if (state.timeScale !== start.timeScale) fields.push(`timeScale=${writeNumber(state.timeScale)}`)
   const runners = writeRunners(state.runners)
   if (runners !== writeRunners(start.runners)) fields.push(`runners=${runners}`)
   return fields.join('&')
@@ -63,15 +64,19 @@ export function readAddress(address: string): LabState {
   }
   const id = fields.get('scene') ?? opening.scene
   const start = scenes.some((scene) => scene.id === id) ? openingOf(id as SceneId) : opening
-  const given = [...fields].filter(([key]) => !['scene', 'duration', 'runners'].includes(key))
+  const given = [...fields].filter(
+    ([key]) => !['scene', 'duration', 'timeScale', 'runners'].includes(key),
+  )
   const values = Object.fromEntries(given.map(([key, text]) => [key, value(text)]))
   const parameters = withParameters(start.parameters, values)
-  const duration = fields.has('duration') ? value(fields.get('duration')!) : start.duration
+  const number = (key: 'duration' | 'timeScale') =>
+    fields.has(key) ? value(fields.get(key)!) : start[key]
   const runners = fields.has('runners')
     ? readRunners(fields.get('runners')!, problems)
     : start.runners
   try {
-    const state = checked({ scene: id, parameters, duration, runners })
+    const shared = { duration: number('duration'), timeScale: number('timeScale') }
+    const state = checked({ scene: id, parameters, ...shared, runners })
     if (problems.length === 0) return state
   } catch (error) {
     if (!(error instanceof ExperimentError)) throw error

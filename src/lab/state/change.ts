@@ -12,6 +12,7 @@ export type Change =
   | { kind: 'scene'; scene: SceneId }
   | { kind: 'parameters'; values: Readonly<Record<string, unknown>> }
   | { kind: 'duration'; duration: unknown }
+  | { kind: 'timeScale'; timeScale: unknown }
   | { kind: 'mode'; mode: ModeId }
   | { kind: 'runner'; index: number; values: Partial<DraftRunner> }
   | { kind: 'option'; index: number; of: 'frames' | 'timestep'; key: string; value: unknown }
@@ -33,6 +34,8 @@ export function changed(state: LabState, change: Change): LabState {
       return checked({ ...state, parameters: withParameters(state.parameters, change.values) })
     case 'duration':
       return checked({ ...state, duration: change.duration })
+    case 'timeScale':
+      return checked({ ...state, timeScale: change.timeScale })
     case 'mode': {
       const { method } = modes.find(({ id }) => id === change.mode)!
       return checked({

@@ -1,5 +1,5 @@
 import { ExperimentError, parseExperiment } from '../../physics/index.ts'
-import type { Experiment, Problem, ResolvedExperiment } from '../../physics/index.ts'
+import type { Experiment, Problem } from '../../physics/index.ts'
 import type { LabState, RunnerState } from './state.ts'
 
 /** As many as there are colours that can be told apart. */
@@ -10,6 +10,7 @@ export interface Draft {
   readonly scene: unknown
   readonly parameters: unknown
   readonly duration: unknown
+  readonly timeScale: unknown
   readonly runners: readonly DraftRunner[]
 }
 
@@ -18,9 +19,10 @@ export type DraftRunner = { readonly [K in keyof RunnerState]: unknown }
 
 /** The experiment that a runner of a lab runs. */
 export function experimentOf(state: LabState, runner: RunnerState): Experiment {
-  const { scene, parameters, duration } = state
+  const { scene, parameters, duration, timeScale } = state
   const { frames, timestep, integrator, stopping } = runner
-  return { scene, parameters, duration, frames, timestep, integrator, stopping } as Experiment
+  const own = { frames, timestep, integrator, stopping }
+  return { scene, parameters, duration, timeScale, ...own } as Experiment
 }
 
 /**
@@ -40,15 +42,15 @@ export function checked(draft: Draft): LabState {
   const { length } = draft.runners
   if (length < 1 || length > MOST_RUNNERS)
     report('runners', `${length} are not in 1…${MOST_RUNNERS}`)
-  let shared: Pick<ResolvedExperiment, 'scene' | 'parameters' | 'duration'> | undefined
+  let shared: Omit<LabState, 'runners'> | undefined
   const runners: RunnerState[] = []
   draft.runners.slice(0, MOST_RUNNERS).forEach((runner, i) => {
     const paletteIndex = checkedPaletteIndex(runner.paletteIndex, `runners[${i}].look`, report)
     try {
-      const { scene, parameters, duration, ...own } = parseExperiment(
+      const { scene, parameters, duration, timeScale, ...own } = parseExperiment(
         experimentOf(draft as LabState, runner as RunnerState),
       )
-      shared = { scene, parameters, duration }
+      shared = { scene, parameters, duration, timeScale }
       const engine = runner.engine as RunnerState['engine']
       runners.push({ ...own, paletteIndex, hidden: runner.hidden === true, engine })
     } catch (error) {
@@ -62,7 +64,7 @@ export function checked(draft: Draft): LabState {
 }
 
 function isShared(path: string): boolean {
-  return /^(scene|parameters|duration)\b/.test(path)
+  return /^(scene|parameters|duration|timeScale)\b/.test(path)
 }
 
 function checkedPaletteIndex(

@@ -1,4 +1,4 @@
-import { frameClocks, timesteps } from '../../physics/index.ts'
+import { frameClocks, measuring, timesteps } from '../../physics/index.ts'
 import type { Options } from '../../physics/index.ts'
 import type { RunnerState } from './state.ts'
 
@@ -21,5 +21,11 @@ export function choose<Of extends 'frames' | 'timestep'>(
     ),
   )
   const values = Object.entries(options).map(([key, { initial }]) => [key, kept[key] ?? initial])
-  return { kind, ...Object.fromEntries(values) } as RunnerState[Of]
+  // How frames are measured is the game's own affair, whatever its frames.
+  const common = Object.keys(measuring).filter((key) => key in kept)
+  return {
+    kind,
+    ...Object.fromEntries(values),
+    ...Object.fromEntries(common.map((key) => [key, kept[key]])),
+  } as RunnerState[Of]
 }

@@ -9,9 +9,9 @@ export interface Clockwork {
   readonly step: number | undefined
   /** Under `tolerance`, the steps that were tried; undefined where they are too many to be seen, and else. */
   readonly tries: Tries | undefined
-  /** Under `fixed`, what is left of the frame time for later steps: time − stateTime − lost [s]. Else zeros. */
+  /** Under `fixed`, what is left of the frame time for later steps: gameTime − stateTime − lost [s]. Else zeros. */
   readonly accumulator: Float64Array
-  /** Time that the policy has dropped by then [s]. */
+  /** Game time that the policy has dropped by then [s]. */
   readonly lost: Float64Array
 }
 
@@ -20,11 +20,11 @@ const MOST_STEPS = 20_000
 
 const kept = new WeakMap<Trajectory, Clockwork>()
 
-/** A trajectory's clocks, read off its two times. */
+/** A trajectory's clocks, read off its times. */
 export function clockworkOf(trajectory: Trajectory): Clockwork {
   const known = kept.get(trajectory)
   if (known) return known
-  const { experiment, time, stateTime, lostTime, frames } = trajectory
+  const { experiment, time, gameTime, stateTime, lostTime, frames } = trajectory
   const { timestep } = experiment
   const step = timestep.kind === 'fixed' ? timestep.step : undefined
   const isTried = timestep.kind === 'tolerance' && trajectory.steps <= MOST_STEPS
@@ -35,8 +35,8 @@ export function clockworkOf(trajectory: Trajectory): Clockwork {
   const lost = new Float64Array(frames + 1)
   const accumulator = new Float64Array(frames + 1)
   for (let row = 1; row <= frames; row++) {
-    const late = time[row]! - stateTime[row]!
-    excess += Math.max(0, time[row]! - time[row - 1]! - cap)
+    const late = gameTime[row]! - stateTime[row]!
+    excess += Math.max(0, gameTime[row]! - gameTime[row - 1]! - cap)
     // The accumulator holds less than a step, so that the whole steps of a delay are those that were dropped.
     const dropped =
       step === undefined ? late : excess + Math.floor((late - excess) / step + 1e-6) * step
@@ -60,16 +60,33 @@ export function hasOwnSteps({ experiment }: Trajectory): boolean {
   return kind === 'fixed' || kind === 'tolerance'
 }
 
+/** When a game's clock shows a time, on the wall clock, within the frame in which that falls [s]. */
+export function onTheWall({ time, gameTime }: Trajectory, at: number): number {
+  let row = 1
+  let high = gameTime.length - 1
+  while (row < high) {
+    const middle = (row + high) >> 1
+    if (gameTime[middle]! < at) row = middle + 1
+    else high = middle
+  }
+  const from = gameTime[row - 1]!
+  // Where the two clocks are one, not a bit is to change.
+  if (!(row <= high) || (from === time[row - 1] && gameTime[row] === time[row])) return at
+  const part = Math.min(1, (at - from) / (gameTime[row]! - from))
+  return time[row - 1]! + part * (time[row]! - time[row - 1]!)
+}
+
 /** When the steps that were tried end, those that were kept or those that were taken back [s]. */
 export function* triedTimes(
+  trajectory: Trajectory,
   { begins, lengths, accepted }: Tries,
   kept: boolean,
 ): Generator<number> {
   for (let i = 0; i < begins.length; i++) {
     if (accepted[i] !== kept) continue
     // What is kept are two halves.
-    if (kept) yield begins[i]! + 0.5 * lengths[i]!
-    yield begins[i]! + lengths[i]!
+    if (kept) yield onTheWall(trajectory, begins[i]! + 0.5 * lengths[i]!)
+    yield onTheWall(trajectory, begins[i]! + lengths[i]!)
   }
 }
 
@@ -81,6 +98,6 @@ export function* stepTimes(trajectory: Trajectory, first: number, last: number):
   for (let row = Math.max(1, first); row <= last; row++) {
     const from = stateTime[row - 1]!
     const count = Math.floor((stateTime[row]! - from) / step + 1e-6)
-    for (let i = 1; i <= count; i++) yield from + i * step + lost[row - 1]!
+    for (let i = 1; i <= count; i++) yield onTheWall(trajectory, from + i * step + lost[row - 1]!)
   }
 }

@@ -73,7 +73,8 @@ export function undoGroupOf(change: Change): string | undefined {
     case 'parameters':
       return Object.keys(change.values).join(' ')
     case 'duration':
-      return 'duration'
+    case 'timeScale':
+      return change.kind
     case 'option':
       return `${change.index} ${change.of} ${change.key}`
     default:

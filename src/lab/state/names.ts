@@ -31,12 +31,14 @@ function keysOf(runners: readonly RunnerState[], of: 'timestep' | 'frames'): str
   return [...new Set(runners.flatMap((runner) => Object.keys(runner[of])))]
 }
 
-/** “30 fps”, “30 fps, jitter”. */
+/** “30 fps”, “30 fps, jitter”, “60 fps, rounded delta”. */
 function framesText({ frames }: RunnerState): string {
   const clock = label(frameClocks, frames.kind)
-  if (!('fps' in frames)) return clock
-  const rate = `${shownNumber(frames.fps)} fps`
-  return frames.kind === 'steady' ? rate : `${rate}, ${clock.toLowerCase()}`
+  const { delta, meanOf, snapTo } = frames
+  const measured = delta ? [`${delta} delta ${meanOf ?? snapTo ?? ''}`.trim()] : []
+  if (!('fps' in frames)) return [clock, ...measured].join(', ')
+  const kind = frames.kind === 'steady' ? [] : [clock.toLowerCase()]
+  return [`${shownNumber(frames.fps)} fps`, ...kind, ...measured].join(', ')
 }
 
 /** “most steps a frame 50”: a number of what is chosen from a list. */

@@ -1,4 +1,4 @@
-import { scenes } from '../../physics/index.ts'
+import { defaults, scenes } from '../../physics/index.ts'
 import type { Parameters, Scene, SceneId } from '../../physics/index.ts'
 import type { LabState, RunnerState } from './state.ts'
 
@@ -32,6 +32,7 @@ export function openingOf(id: SceneId): LabState {
     scene: id,
     parameters: { ...(Object.fromEntries(initial) as Parameters), ...parameters },
     duration,
+    timeScale: defaults.timeScale,
     runners,
   }
 }

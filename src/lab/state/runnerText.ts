@@ -1,5 +1,12 @@
 import { engines } from '../../engines/index.ts'
-import { defaults, frameClocks, integrators, stoppings, timesteps } from '../../physics/index.ts'
+import {
+  defaults,
+  frameClocks,
+  integrators,
+  measuring,
+  stoppings,
+  timesteps,
+} from '../../physics/index.ts'
 import type { Option, Options, Problem } from '../../physics/index.ts'
 import { writeNumber } from '../../chart/numbers.ts'
 import { readNumber } from '../../chart/typedNumber.ts'
@@ -13,7 +20,7 @@ import type { RunnerState } from './state.ts'
  *
  *     10;30/semi-implicit-euler/clamped;jitter(fps:30,amount:0.5,seed:1)/fixed(step:1/60)/rk4
  *
- * A number is a steady frame rate. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
+ * A number is a steady frame rate that is measured exactly. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
  * rule, with its options in brackets; the items of a list stand with `+` between, or as durationCode.ts writes them
  * where that is shorter. The id of an engine stands for its timestep, integrator and stopping rule. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is
  * left out is at the default of an experiment, so the example begins with velocity Verlet, located stops and a variable
@@ -38,7 +45,11 @@ export function readRunners(text: string, problems: Problem[]): DraftRunner[] {
 
 function writeRunner(runner: RunnerState, turn: number): string {
   const { frames, paletteIndex, hidden } = runner
-  const words = [frames.kind === 'steady' ? writeNumber(frames.fps) : call(frames, frameClocks)]
+  const words = [
+    frames.kind === 'steady' && !frames.delta
+      ? writeNumber(frames.fps)
+      : call(frames, frameClocks, measuring),
+  ]
   const engine = engines.find(({ label }) => label === runner.engine)
   words.push(...(engine ? [engine.id] : writeMethod(runner)))
   if (paletteIndex !== turn) words.push(`look(${paletteIndex})`)
@@ -58,9 +69,10 @@ function writeMethod({ timestep, integrator, stopping }: RunnerState): string[] 
 function call(
   chosen: RunnerState['frames'] | RunnerState['timestep'],
   list: readonly { readonly id: string; readonly options: Options }[],
+  common: Options = {},
 ): string {
   const { kind, ...values } = chosen
-  const { options } = list.find(({ id }) => id === kind)!
+  const options = { ...list.find(({ id }) => id === kind)!.options, ...common }
   const given = Object.entries(values)
     .filter(([key, value]) => !(options[key]!.optional && options[key]!.initial === value))
     .map(([key, value]) => `${key}:${writeValue(value)}`)
@@ -102,7 +114,8 @@ function readRunner(text: string, turn: number, problems: Problem[]): DraftRunne
     const policy = timesteps.find((each) => each.id === id)
     if (rate !== undefined) runner.frames = { kind: 'steady', fps: rate }
     else if (engine) method({ ...engine.method, engine: engine.label })
-    else if (clock) runner.frames = { kind: id, ...readOptions(inside, clock.options) }
+    else if (clock)
+      runner.frames = { kind: id, ...readOptions(inside, { ...clock.options, ...measuring }) }
     else if (policy) method({ timestep: { kind: id, ...readOptions(inside, policy.options) } })
     else if (integrators.some((each) => each.id === word)) method({ integrator: word })
     else if (stoppings.some((each) => each.id === word)) method({ stopping: word })

@@ -18,6 +18,7 @@ export interface SimulatedRunner {
 export interface Simulated {
   readonly state: LabState
   readonly scene: Scene
+  /** The true motion as it is to be seen: at a time on the wall, the state that the time scale says [s]. */
   readonly exact: ExactMotion
   readonly runners: readonly SimulatedRunner[]
   /** Those that are not hidden. */
@@ -40,13 +41,19 @@ export class Simulation {
     return {
       state,
       scene: scenes.find(({ id }) => id === state.scene)!,
-      exact: exactMotion(experimentOf(state, state.runners[0]!)),
+      exact: shownMotion(state),
       runners,
       visible,
       spread:
         visible.length > 0 ? spreadOf(visible.map(({ trajectory }) => trajectory)) : undefined,
     }
   }
+}
+
+function shownMotion(state: LabState): ExactMotion {
+  const motion = exactMotion(experimentOf(state, state.runners[0]!))
+  const { timeScale } = state
+  return timeScale === 1 ? motion : (t, into) => motion(timeScale * t, into)
 }
 
 /** How far a row of a run is from the exact block as the picture shows it: drawnS − exact(time) [m]. */

@@ -18,5 +18,7 @@ export interface LabState {
   readonly parameters: Parameters
   /** How long each run lasts [s]. */
   readonly duration: number
+  /** How fast the game's time goes: 0.1 is slow motion. */
+  readonly timeScale: number
   readonly runners: readonly RunnerState[]
 }

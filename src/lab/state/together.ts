@@ -10,15 +10,18 @@ import type { LabState } from './state.ts'
  * @throws ExperimentError where they differ in what a lab's runners share
  */
 export function together(runs: readonly ResolvedExperiment[], path: string): LabState {
-  const { scene, parameters, duration } = runs[0]!
-  const shared = JSON.stringify([scene, parameters, duration])
+  const sharedBy = ({ scene, parameters, duration, timeScale }: ResolvedExperiment) => {
+    return { scene, parameters, duration, timeScale }
+  }
+  const shared = sharedBy(runs[0]!)
   const problems = runs.flatMap((run, i) =>
-    JSON.stringify([run.scene, run.parameters, run.duration]) === shared
+    JSON.stringify(sharedBy(run)) === JSON.stringify(shared)
       ? []
       : [
           {
             path: `${path}[${i}]`,
-            message: 'is not like the first in scene, parameters and duration, which a lab shares',
+            message:
+              'is not like the first in scene, parameters, duration and time scale, which a lab shares',
           },
         ],
   )
@@ -26,7 +29,7 @@ export function together(runs: readonly ResolvedExperiment[], path: string): Lab
   const runners = runs.map(({ frames, timestep, integrator, stopping }, paletteIndex) => {
     return { frames, timestep, integrator, stopping, paletteIndex, hidden: false }
   })
-  return { scene, parameters, duration, runners }
+  return { ...shared, runners }
 }
 
 /** The experiments in a text that *Copy as JSON* has written; undefined where it is something else. */

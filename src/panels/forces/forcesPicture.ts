@@ -58,7 +58,9 @@ export function largestOf(trajectory: Trajectory): Largest {
   const exact = exactMotion(experiment)
   const truth = largest(
     trajectory,
-    samples(SAMPLES, experiment.duration).map((t) => exact(t, { s: 0, v: 0 })),
+    samples(SAMPLES, experiment.timeScale * experiment.duration).map((t) =>
+      exact(t, { s: 0, v: 0 }),
+    ),
   )
   const rows = samples(Math.min(frames, SAMPLES), frames).map(Math.round)
   const run = largest(

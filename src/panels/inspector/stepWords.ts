@@ -16,6 +16,11 @@ export function frameLength({ time }: Trajectory, row: number): number {
   return rounded(time[row]! - time[row - 1]!)
 }
 
+/** By how much the game's time goes on in it [s]. */
+function gameLength({ gameTime }: Trajectory, row: number): number {
+  return rounded(gameTime[row]! - gameTime[row - 1]!)
+}
+
 /** A difference of times [s] without what rounding left in its last digits. */
 function rounded(time: number): number {
   return Math.round(time * 1e12) / 1e12
@@ -23,16 +28,23 @@ function rounded(time: number): number {
 
 /** How the timestep policy turned a frame into steps, where `steps` are those that had something to move. */
 export function policyWords(run: Trajectory, row: number, steps: readonly PolicyStep[]): Said {
+  const { frames, timeScale } = run.experiment
+  const words = policyAlone(run, row, steps)
+  if (!frames.delta && timeScale === 1) return words
+  return say`The frame lasts ${frameLength(run, row)} s, and the game counts it as ${gameLength(run, row)} s. ${words}`
+}
+
+function policyAlone(run: Trajectory, row: number, steps: readonly PolicyStep[]): Said {
   const { experiment, outcome } = run
-  const { timestep } = experiment
-  const lasts = frameLength(run, row)
+  const { timestep, timeScale } = experiment
+  const lasts = gameLength(run, row)
   if (timestep.kind === 'tolerance') return toleranceWords(timestep.tolerance, steps)
   const ends = outcome.kind !== 'moving' && outcome.kind !== 'at-rest' && row === run.frames
   if (ends && steps.length > 0)
     return say`${counted(steps.length, 'step')} of ${steps[0]!.dt} s, until the run ended.`
   switch (timestep.kind) {
     case 'per-frame':
-      return say`One step of ${timestep.step} s, however long the frame was.`
+      return say`One step of ${timeScale * timestep.step} s, however long the frame was.`
     case 'variable':
       return say`One step, as long as the frame: ${lasts} s.`
     case 'capped':
@@ -67,7 +79,7 @@ function toleranceWords(tolerance: number, steps: readonly PolicyStep[]): Said {
 /** What the accumulator held, what the frame paid in, and what was dropped: by the cap, and in whole steps. */
 function fixedWords(run: Trajectory, row: number, step: number, cap: number): Said {
   const { accumulator, lost } = clockworkOf(run)
-  const lasts = frameLength(run, row)
+  const lasts = gameLength(run, row)
   const cut = Math.max(0, rounded(lasts - cap))
   const dropped = Math.round((lost[row]! - lost[row - 1]! - cut) / step)
   const taken = Math.round((run.stateTime[row]! - run.stateTime[row - 1]!) / step)

@@ -62,12 +62,13 @@ export function labRunners(
 
 /** Why a run can't be held against the curves, whose steps are all of one length and whose seconds are the clock’s. */
 function whyNot({ experiment, lostTime }: Trajectory, { duration }: Shared): string {
-  const { timestep, frames } = experiment
+  const { timestep, frames, timeScale } = experiment
   if (experiment.duration > duration) return `it runs longer than the curves’ ${duration}\u202fs`
   const rate = 'fps' in frames ? frames.fps : NaN
   // Rounding aside, a step that is a frame's is the frame's time.
   const astray = timestep.kind === 'per-frame' && !(Math.abs(timestep.step * rate - 1) < 1e-9)
-  if (lostTime > 0 || astray) return 'its seconds are not real seconds'
+  if (lostTime > 0 || astray || timeScale !== 1 || frames.delta)
+    return 'its seconds are not real seconds'
   // A fixed step is behind the clock by less than a step; how far that shows is part of its error.
   return frames.kind === 'steady' || timestep.kind === 'fixed' ? '' : 'its steps differ in length'
 }

@@ -19,11 +19,11 @@ export interface Measured {
 /** Shows a measured run in a lab, as one change: the selected runner becomes it, the others stay. */
 export function loadInto(lab: LabView, { experiment, label, words }: Measured): void {
   const { state } = lab.simulated
-  const { scene, parameters, duration, ...own } = parseExperiment(experiment)
+  const { scene, parameters, duration, timeScale, ...own } = parseExperiment(experiment)
   const runners = state.runners.map((runner, i) =>
     i === lab.selected ? { ...runner, ...own, hidden: false } : runner,
   )
-  const next: LabState = { scene, parameters, duration, runners }
+  const next: LabState = { scene, parameters, duration, timeScale, runners }
   lab.load(preset('', label, words, () => checked(next)))
 }
 
@@ -42,10 +42,10 @@ export function loadMethod(
 
 /** Has the page's own lab show it, by way of the address; in another's page, the lab in a page of its own. */
 export function loadByAddress({ experiment }: Measured): void {
-  const { scene, parameters, duration, ...own } = parseExperiment(experiment)
+  const { scene, parameters, duration, timeScale, ...own } = parseExperiment(experiment)
   const start = openingOf(scene)
   const runners = [{ ...start.runners[0]!, ...own }]
-  const state = { ...start, parameters, duration, runners }
+  const state = { ...start, parameters, duration, timeScale, runners }
   const home = site()
   if (isAtHome()) location.hash = writeAddress(state)
   else if (home !== null) open(linkTo('index.html', home, state), '_blank', 'noopener')

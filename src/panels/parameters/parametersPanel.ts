@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit'
 import { repeat } from 'lit/directives/repeat.js'
-import { limits } from '../../physics/index.ts'
+import { defaults, limits } from '../../physics/index.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
 import '../../ui/quantityControl.ts'
 import { allowed } from '../../lab/allowed.ts'
@@ -16,12 +16,20 @@ const durationQuantity: Quantity = {
   slider: { from: 0.1, to: 20, step: 0.1 },
 }
 
-/** What all runners share: the parameters of the scene, and how long the run lasts. */
+const timeScaleQuantity: Quantity = {
+  label: 'Time scale',
+  symbol: '',
+  unit: '×',
+  ...limits.timeScale,
+  slider: { from: 0.05, to: 2, step: 0.05 },
+}
+
+/** What all runners share: the parameters of the scene, how long the run lasts, and how fast its time goes. */
 export function parametersPanel({ simulated: { state, scene }, change, lesson }: LabView) {
   const start = openingOf(state.scene)
   const may = (name: string) => lesson?.may(name) !== false
   const parameters = Object.entries(scene.parameters).filter(([name]) => may(name))
-  const count = parameters.length + (may('duration') ? 1 : 0)
+  const count = parameters.length + (may('duration') ? 1 : 0) + (may('timeScale') ? 1 : 0)
   if (count === 0) return nothing
   const rows = Math.ceil(count / 2)
   return html`<section class="parameters" part="parameters">
@@ -46,6 +54,16 @@ export function parametersPanel({ simulated: { state, scene }, change, lesson }:
           .value=${state.duration}
           .initial=${start.duration}
           .pick=${(duration: unknown) => change({ kind: 'duration', duration })}
+        ></slide-quantity-control>`,
+      )}
+      ${allowed(
+        { lesson },
+        'timeScale',
+        html`<slide-quantity-control
+          .quantity=${timeScaleQuantity}
+          .value=${state.timeScale}
+          .initial=${defaults.timeScale}
+          .pick=${(timeScale: unknown) => change({ kind: 'timeScale', timeScale })}
         ></slide-quantity-control>`,
       )}
     </div>

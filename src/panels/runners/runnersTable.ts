@@ -6,6 +6,7 @@ import type { Described } from '../../physics/index.ts'
 import { allowed } from '../../lab/allowed.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { MOST_RUNNERS } from '../../lab/state/check.ts'
+import { measuredDelta } from './measuredDelta.ts'
 import './runnerRow.ts'
 
 const headings = [
@@ -69,14 +70,15 @@ function add(lab: LabView, button: HTMLElement): void {
   eyes[eyes.length - 1]!.focus()
 }
 
-function notes({ simulated, selected }: LabView) {
+function notes(lab: LabView) {
+  const { simulated, selected } = lab
   const runner = simulated.runners[selected]
   if (!runner) return ''
   const { integrator, stopping, timestep, frames, engine } = runner.state
   const its = engines.find(({ label }) => label === engine)
   return html`<dl class="notes" .style="--colour: var(--runner-${runner.state.paletteIndex})">
     ${note(integrators, integrator)} ${note(stoppings, stopping)} ${note(timesteps, timestep.kind)}
-    ${note(frameClocks, frames.kind)}
+    ${note(frameClocks, frames.kind)} ${measuredDelta(lab)}
     ${
       its
         ? html`<div class="engine">

@@ -1,7 +1,13 @@
 import type { Trajectory } from '../../physics/index.ts'
 import { cleared } from '../../chart/pen.ts'
 import { rowAt } from '../../view/timeline.ts'
-import { clockworkOf, hasOwnSteps, stepTimes, triedTimes } from '../../lab/state/clockwork.ts'
+import {
+  clockworkOf,
+  hasOwnSteps,
+  onTheWall,
+  stepTimes,
+  triedTimes,
+} from '../../lab/state/clockwork.ts'
 
 /** A stretch of time on a canvas [s], all else in its own pixels. */
 export interface StripAxis {
@@ -47,7 +53,7 @@ export function drawLane(
   if (lost[last]! > 0) {
     pen.fillStyle = hatch(pen, colours.wrong, ratio)
     for (let row = Math.max(1, first); row <= last; row++) {
-      const dropped = lost[row]! - lost[row - 1]!
+      const dropped = (lost[row]! - lost[row - 1]!) / trajectory.experiment.timeScale
       if (dropped <= 0) continue
       const x = place(Math.max(time[row - 1]!, time[row]! - dropped))
       pen.fillRect(x, top, Math.max(pixel, place(time[row]!) - x), tick)
@@ -67,13 +73,13 @@ export function drawLane(
       if (x >= 0 && x <= width) pen.fillRect(x, y, pixel, stepTick)
   }
   if (step === undefined ? !tries : step * scale < 2 * pixel) {
-    const end = place(trajectory.stateTime[last]! + lost[last]!)
+    const end = place(onTheWall(trajectory, trajectory.stateTime[last]! + lost[last]!))
     pen.fillRect(place(from), stepTop, end - place(from), stepTick)
   } else if (tries) {
-    ticks(triedTimes(tries, true), stepTop)
+    ticks(triedTimes(trajectory, tries, true), stepTop)
     // Under those that were kept, those that were taken back.
     pen.globalAlpha = 0.4
-    ticks(triedTimes(tries, false), bottom - stepTick)
+    ticks(triedTimes(trajectory, tries, false), bottom - stepTick)
     pen.globalAlpha = 1
   } else ticks(stepTimes(trajectory, first, last), stepTop)
   if (step === undefined) return

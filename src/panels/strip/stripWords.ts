@@ -4,13 +4,16 @@ import { rowAt } from '../../view/timeline.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 
-/** What is to be said of a runner's time beside its ticks; '' where physics keeps up with the wall. */
+/** What is to be said of a runner's time beside its ticks; '' where physics keeps up with the wall, or is to be slower. */
 export function noteOf({ name, trajectory }: SimulatedRunner, now: number): string {
-  const { lostTime, experiment, time, stateTime } = trajectory
+  const { lostTime, experiment, time, gameTime, stateTime } = trajectory
   if (lostTime > 0) return `${name}: ${seconds(lostTime)} lost`
-  if (experiment.timestep.kind !== 'per-frame') return ''
+  const { timestep, frames, timeScale } = experiment
+  const isPerFrame = timestep.kind === 'per-frame'
+  if (!isPerFrame && !frames.delta) return ''
   const row = rowAt(trajectory, now)
-  const late = time[row]! - stateTime[row]!
+  // Without delta time the game has no clock but its steps.
+  const late = timeScale * time[row]! - (isPerFrame ? stateTime : gameTime)[row]!
   const size = `${fixed(Math.abs(late), 2)}\u202fs`
   const lead = Math.abs(late) < 0.005 ? 'on time' : late > 0 ? `${size} behind` : `${size} ahead`
   return `${name}: physics is ${lead}`

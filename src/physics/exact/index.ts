@@ -1,9 +1,8 @@
 import type { Experiment } from '../experiment.ts'
 import { entry } from '../lists.ts'
 import { parseForRun } from '../parse.ts'
-import { show } from '../problems.ts'
 import type { Scene } from '../scene.ts'
-import type { ExactMotion, State } from '../state.ts'
+import type { ExactMotion } from '../state.ts'
 import { scenes } from '../scenes/index.ts'
 
 // The phases of this many motions take at most 32 MB.
@@ -27,20 +26,4 @@ export function exactMotion(experiment: Experiment): ExactMotion {
   if (kept.size === MOST_KEPT) kept.delete(kept.keys().next().value!)
   kept.set(key, motion)
   return motion
-}
-
-/**
- * The true state at a time: distance along the track [m] and speed [m/s], to the error that `exactMotion` promises.
- *
- * @param t a finite time of 0 or more [s]
- * @throws ExperimentError for an experiment that can't be run, RangeError for any other time and if the state is
- * not known to that error
- */
-export function exact(experiment: Experiment, t: number): State {
-  const motion = exactMotion(experiment)
-  if (!(Number.isFinite(t) && t >= 0))
-    throw new RangeError(`The motion is known at finite times from 0 s on, not at ${show(t)} s.`)
-  const state = motion(t, { s: NaN, v: NaN })
-  if (Number.isNaN(state.s)) throw new RangeError(`The motion is not known to 1e-11 at ${t} s.`)
-  return state
 }

@@ -30,8 +30,7 @@ const options = { fps, every, length } as const
 export const hitch = {
   id: 'hitch',
   label: 'Hitches',
-  about:
-    'Steady frames with one long one at regular intervals: a level loads, memory is collected.',
+  about: 'Steady frames with a long one now and then: a level loads, memory is freed.',
   options,
   frames: ({ fps, every, length }: Values<typeof options>, duration: number) => {
     const rate = (plain: number, hitches: number) =>

@@ -20,7 +20,7 @@ const options = { fps, amount, seed } as const
 export const jitter = {
   id: 'jitter',
   label: 'Jitter',
-  about: 'Each frame is longer or shorter by chance, anywhere within (1 ± amount)/fps.',
+  about: 'Each frame is longer or shorter by chance, within (1 ± amount)/fps.',
   options,
   frames: ({ fps }: Values<typeof options>, duration: number) => fps * duration,
   start: (chosen: Values<typeof options>): Frames => new JitterFrames(chosen),

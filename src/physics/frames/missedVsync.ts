@@ -16,7 +16,7 @@ export const missedVsync = {
   id: 'missed-vsync',
   label: 'Missed vsync',
   about:
-    'The display refreshes steadily. Most frames are ready for the next refresh; some take two or three, in bursts: 54 frames a second at 60 Hz.',
+    'Most frames take one refresh of the display; some two or three, in bursts: 54 fps at 60 Hz.',
   options,
   frames: ({ fps }: Values<typeof options>, duration: number) => 0.9 * fps * duration,
   start: (chosen: Values<typeof options>): Frames => new MissedVsyncFrames(chosen),

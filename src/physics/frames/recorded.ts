@@ -18,7 +18,7 @@ const options = { durations } as const
 export const recorded = {
   id: 'recorded',
   label: 'Recorded',
-  about: 'Frame times that were measured on a real machine, repeated when they run out.',
+  about: 'Frame times of a real machine, repeated when they run out.',
   options,
   frames: ({ durations }: Values<typeof options>, duration: number) => {
     let time = 0

@@ -8,7 +8,7 @@ const options = { fps } as const
 export const steady = {
   id: 'steady',
   label: 'Steady',
-  about: 'Every frame lasts exactly as long as the last: the frames of a textbook.',
+  about: 'Every frame is as long as the last: the frames of a textbook.',
   options,
   frames: ({ fps }: Values<typeof options>, duration: number) => fps * duration,
   start: ({ fps }: Values<typeof options>): Frames => new SteadyFrames(fps),

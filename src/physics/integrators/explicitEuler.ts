@@ -5,7 +5,7 @@ export const explicitEuler = {
   id: 'explicit-euler',
   label: 'Explicit Euler',
   about:
-    'Moves with the old velocity, then changes it: what “forward Euler” means. Gains energy in every swing.',
+    'Moves with the old velocity, then changes it (“forward Euler”). Gains energy in every swing.',
   formula: ['s′ = s + v Δt', 'v′ = v + a(s, v) Δt'],
   order: 1,
   orderWithSpeed: 1,

@@ -8,8 +8,7 @@ const ROUNDING = 2 * Number.EPSILON
 export const implicitMidpoint = {
   id: 'implicit-midpoint',
   label: 'Implicit midpoint',
-  about:
-    'Solves for the mean velocity that agrees with the force half-way: stable at any step, however stiff the spring.',
+  about: 'Solves for the mean velocity that agrees with the force half-way: stable at any step.',
   formula: ['v̄ = v + ½ Δt a(s + ½ Δt v̄, v̄)', 's′ = s + v̄ Δt', 'v′ = 2 v̄ − v'],
   order: 2,
   orderWithSpeed: 2,

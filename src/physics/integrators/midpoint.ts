@@ -4,7 +4,7 @@ import type { Integrator } from '../integrator.ts'
 export const midpoint = {
   id: 'midpoint',
   label: 'Midpoint',
-  about: 'Takes half a step to look at the slope there, then the whole step with that slope.',
+  about: 'Half a step to look at the slope there, then the whole step with it.',
   formula: ['v½ = v + ½ a(s, v) Δt', 's′ = s + v½ Δt', 'v′ = v + a(s + ½ v Δt, v½) Δt'],
   order: 2,
   orderWithSpeed: 2,

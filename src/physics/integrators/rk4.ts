@@ -5,7 +5,7 @@ export const rk4 = {
   id: 'rk4',
   label: 'Runge–Kutta 4',
   about:
-    'Evaluates four slopes, two of them at half the step, and takes their weighted mean. Very accurate, and slowly loses energy.',
+    'The weighted mean of four slopes, two of them at half the step. Very accurate, and slowly loses energy.',
   formula: [
     'a₁ = a(s, v)',
     'v₂ = v + ½ a₁ Δt,  a₂ = a(s + ½ v Δt, v₂)',

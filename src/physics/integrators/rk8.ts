@@ -74,8 +74,7 @@ const accelerations = new Float64Array(11)
 export const rk8 = {
   id: 'rk8',
   label: 'Runge–Kutta 8',
-  about:
-    'Evaluates eleven slopes, weighted so that all errors up to the eighth power of the step cancel: a few long steps suffice.',
+  about: 'Eleven slopes, weighted so that errors up to the eighth power of the step cancel.',
   formula: [
     'a₁ = a(s, v)',
     ...STAGES.slice(0, -1).flatMap((stage, i) => {

@@ -4,8 +4,7 @@ import type { Integrator } from '../integrator.ts'
 export const semiImplicitEuler = {
   id: 'semi-implicit-euler',
   label: 'Semi-implicit Euler',
-  about:
-    'Changes the velocity, then moves with the new one: the paper’s step, and that of most game engines.',
+  about: 'Changes the velocity, then moves with the new one: the paper’s step, and most engines’.',
   formula: ['v′ = v + a(s, v) Δt', 's′ = s + v′ Δt'],
   order: 1,
   orderWithSpeed: 1,

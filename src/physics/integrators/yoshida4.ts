@@ -9,7 +9,7 @@ export const yoshida4 = {
   id: 'yoshida4',
   label: 'Yoshida 4',
   about:
-    'Three Verlet steps, the middle one backwards in time, so that their errors cancel: accurate, and keeps the energy for ever.',
+    'Three Verlet steps, the middle one backwards, so that errors cancel: accurate, and keeps the energy.',
   formula: ['Verlet by w₁Δt, w₀Δt, w₁Δt', 'w₁ = 1/(2 − ∛2),  w₀ = −∛2 w₁'],
   order: 4,
   orderWithSpeed: 3,

@@ -23,7 +23,7 @@ export const belt = defineScene({
   id: 'belt',
   label: 'Belt',
   about:
-    'A spring holds a block on a moving belt: it rides along until the spring tears it off, slips back, and sticks again.',
+    'A spring holds a block on a moving belt: it rides along until torn off, slips back, and sticks again.',
   parameters: {
     ...{ beltSpeed, stiffness, muStatic: { ...muStatic, initial: 0.5 } },
     ...{ muKinetic: { ...muKinetic, initial: 0.3 }, gravity, mass, position, speed },

@@ -20,7 +20,7 @@ const crestRadius = {
 export const crest = defineScene({
   id: 'crest',
   label: 'Crest',
-  about: 'Over the top of a hill: too slow and it comes back, too fast and it takes off. Where?',
+  about: 'Over a hilltop: too slow and it comes back, too fast and it takes off.',
   parameters: {
     angle: { ...angle, initial: 20 },
     crestRadius,

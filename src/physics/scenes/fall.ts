@@ -19,8 +19,7 @@ const drag = {
 export const fall = defineScene({
   id: 'fall',
   label: 'Fall',
-  about:
-    'A ball falls. The simplest motion there is, and with drag one whose force depends on the speed.',
+  about: 'A ball falls: the simplest motion. With drag the force depends on the speed.',
   parameters: { gravity, mass, drag, position, speed },
   duration: 2,
   facing: 1,

@@ -20,8 +20,7 @@ const radius = {
 export const halfPipe = defineScene({
   id: 'half-pipe',
   label: 'Half-pipe',
-  about:
-    'To and fro between two walls: who gains energy, who loses it, and who is thrown out of the pipe?',
+  about: 'To and fro between two walls: who gains energy, who loses it, and who is thrown out?',
   parameters: {
     radius,
     muStatic: { ...muStatic, initial: 0 },

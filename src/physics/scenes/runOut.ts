@@ -32,8 +32,7 @@ const bendRadius = {
 export const runOut = defineScene({
   id: 'run-out',
   label: 'Run-out',
-  about:
-    'Down a hill, round a bend and out on the flat: where does it stop? The law changes at both ends of the bend.',
+  about: 'Down a hill, round a bend and out on the flat: where does it stop?',
   parameters: {
     ...{ angle, length, bendRadius, muStatic, muKinetic },
     ...{ gravity, mass, position, speed },

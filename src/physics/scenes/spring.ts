@@ -20,7 +20,7 @@ export const spring = defineScene({
   id: 'spring',
   label: 'Spring',
   about:
-    'A block on a slope, held by a spring: the stiffer it is, the smaller the step at which a method blows up.',
+    'A block on a spring on a slope: the stiffer it is, the smaller the step at which a method blows up.',
   parameters: { angle, stiffness, muStatic, muKinetic, gravity, mass, position, speed },
   duration: 4,
   facing: -1,

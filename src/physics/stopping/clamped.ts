@@ -5,7 +5,7 @@ export const clamped = {
   id: 'clamped',
   label: 'Clamped',
   about:
-    'A step that would turn the velocity round ends with v = 0 instead: what games do. At rest, but up to a frame too late.',
+    'A step that would turn the velocity round ends with v = 0: what games do. At rest, but up to a frame too late.',
   keepsOrder: false,
   holdsSlip: true,
   step: (motion, integrator) => {

@@ -6,7 +6,7 @@ export const located = {
   id: 'located',
   label: 'Located',
   about:
-    'Finds the instant inside the step at which the block stops or meets a joint, and goes on from there: stops and joints leave no trace of the frame rate.',
+    'Finds the instant inside the step at which the block stops or meets a joint, and goes on from there: no trace of the frame rate is left.',
   keepsOrder: true,
   holdsSlip: true,
   step: stepToEvent,

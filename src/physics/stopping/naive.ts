@@ -5,7 +5,7 @@ export const naive = {
   id: 'naive',
   label: 'Naive',
   about:
-    'Friction points against the velocity and nothing else is done: around v = 0 it pushes to and fro for ever.',
+    'Friction points against the velocity and that is all: around v = 0 it pushes to and fro for ever.',
   keepsOrder: false,
   holdsSlip: false,
   step: (motion, integrator) => {

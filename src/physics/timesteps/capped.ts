@@ -9,8 +9,7 @@ const options = { cap } as const
 export const capped = {
   id: 'capped',
   label: 'Capped',
-  about:
-    'One step a frame, but never longer than the cap: what a slow frame exceeds it by is lost, and the game runs late.',
+  about: 'One step a frame, never longer than the cap: the rest of a slow frame is lost.',
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,
@@ -21,7 +20,7 @@ export const capped = {
       frame.motion.dt = Math.min(frame.frameDuration, cap)
       frame.step()
       frame.lostTime = lost.value
-      frame.stateTime = frame.time - frame.lostTime
+      frame.stateTime = frame.gameTime - frame.lostTime
     }
   },
 } as const satisfies TimestepPolicy

@@ -26,8 +26,7 @@ const options = { step, maxSteps, cap, draw } as const
 export const fixed = {
   id: 'fixed',
   label: 'Fixed',
-  about:
-    'Physics takes steps of one length whatever the frames do, and the picture is drawn between two of them.',
+  about: 'Steps of one length whatever the frames do; the picture is drawn between two of them.',
   options,
   losesTime: false,
   steps: ({ step, maxSteps, cap }: Values<typeof options>, duration: number, frames: number) =>
@@ -44,7 +43,7 @@ export const fixed = {
     return (frame) => {
       const { motion } = frame
       if (frame.frameDuration > longestFrame) excess.add(frame.frameDuration - longestFrame)
-      const time = frame.time - excess.value
+      const time = frame.gameTime - excess.value
       // The accumulator is the time by which the wall clock is ahead of the physics: counted, not added up.
       const due = wholeSteps(time, step) - dropped - taken
       const count = Math.min(due, maxSteps)

@@ -8,14 +8,15 @@ const options = { step } as const
 export const perFrame = {
   id: 'per-frame',
   label: 'No delta time',
-  about:
-    'One step of the same length every frame, however long the frame was: the faster the machine, the faster the game.',
+  about: 'One step of the same length every frame: the faster the machine, the faster the game.',
   options,
   losesTime: true,
   steps: (_, __, frames) => frames,
-  start: ({ step }: Values<typeof options>) => {
+  start: (chosen: Values<typeof options>) => {
     let steps = 0
     return (frame) => {
+      // Such a game knows no frame times: in slow motion it takes shorter steps.
+      const step = frame.timeScale * chosen.step
       // #region advance
       frame.motion.dt = step
       frame.step()

@@ -11,7 +11,7 @@ export const substeps = {
   id: 'substeps',
   label: 'Substeps',
   about:
-    'Cuts each frame into equal parts no longer than a step: finer, but the parts still change with the frame.',
+    'Cuts each frame into equal parts no longer than a step: finer, but they still change with the frame.',
   options,
   losesTime: false,
   steps: (chosen: Values<typeof options>, duration: number, frames: number) =>
@@ -30,7 +30,7 @@ export const substeps = {
       lost.add(frame.frameDuration - time)
       lost.add((wanted - count) * length)
       frame.lostTime = lost.value
-      frame.stateTime = frame.time - frame.lostTime
+      frame.stateTime = frame.gameTime - frame.lostTime
     }
   },
 } as const satisfies TimestepPolicy

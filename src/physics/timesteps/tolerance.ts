@@ -32,8 +32,7 @@ const MOST_TRIES_A_SECOND = 2e6
 export const toTolerance = {
   id: 'tolerance',
   label: 'To tolerance',
-  about:
-    'As many steps in each frame as the error that you allow asks for: small where the motion is quick, long where it is not.',
+  about: 'As many steps a frame as the tolerance asks for: short where the motion is quick.',
   options,
   losesTime: false,
   steps: (_: Values<typeof options>, __: number, frames: number) => 2 * frames,
@@ -48,7 +47,7 @@ export const toTolerance = {
         if (tries >= most) return frame.abandon()
         advance(frame, next)
       }
-      frame.stateTime = frame.time
+      frame.stateTime = frame.gameTime
     }
   },
 } as const satisfies TimestepPolicy
@@ -57,7 +56,7 @@ export const toTolerance = {
 function advance(frame: FrameContext, next: Next): void {
   // #region advance
   const { motion } = frame
-  frame.stateTime = frame.time - next.left
+  frame.stateTime = frame.gameTime - next.left
   const asked = next.left / Math.max(1, Math.ceil(next.left / next.step))
   motion.dt = asked
   tryStep(frame)

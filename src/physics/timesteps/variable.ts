@@ -4,7 +4,7 @@ import type { TimestepPolicy } from '../timestepPolicy.ts'
 export const variable = {
   id: 'variable',
   label: 'Variable',
-  about: 'One step a frame, as long as the frame was: multiply by deltaTime, as the paper does.',
+  about: 'One step a frame, as long as the frame: times deltaTime, as in the paper.',
   options: {},
   losesTime: false,
   steps: (_, __, frames) => frames,
@@ -13,6 +13,6 @@ export const variable = {
     frame.motion.dt = frame.frameDuration
     frame.step()
     // #endregion
-    frame.stateTime = frame.time
+    frame.stateTime = frame.gameTime
   },
 } as const satisfies TimestepPolicy

@@ -137,7 +137,7 @@ describe('under a tolerance', () => {
   const { tries } = clockworkOf(trajectory)
 
   test('the steps that were kept fill the run from its start to its end, one after the other', () => {
-    const kept = [...triedTimes(tries!, true)]
+    const kept = [...triedTimes(trajectory, tries!, true)]
     expect(kept).toHaveLength(trajectory.steps)
     expect([...kept].sort((a, b) => a - b)).toEqual(kept)
     expect(kept.at(-1)).toBeCloseTo(3, 12)
@@ -146,7 +146,7 @@ describe('under a tolerance', () => {
   })
 
   test('its words tell how long they are and what was taken back', () => {
-    const refused = [...triedTimes(tries!, false)].length
+    const refused = [...triedTimes(trajectory, tries!, false)].length
     const text = stripText({ name: '10 fps', trajectory } as SimulatedRunner, 0)
     expect(text).toMatch(
       new RegExp(`${trajectory.steps} physics steps of .* to .*, ${refused} tr(y|ies) taken back`),
