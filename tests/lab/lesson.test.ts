@@ -46,6 +46,7 @@ describe('a lesson', () => {
   test.each<[Change, string]>([
     [{ kind: 'parameters', values: { angle: 3 } }, 'angle'],
     [{ kind: 'duration', duration: 2 }, 'duration'],
+    [{ kind: 'timeScale', timeScale: 2 }, 'timeScale'],
     [{ kind: 'mode', mode: 'located' }, 'modes'],
     [{ kind: 'scene', scene: 'fall' }, 'scene'],
     [{ kind: 'runner', index: 0, values: { integrator: 'rk4' } }, 'integrator'],
