@@ -152,9 +152,11 @@ class QuantityControl extends LitElement {
   }
 
   private readonly focused = async (event: FocusEvent): Promise<void> => {
+    // In a shadow root, an event has no target once it has been told.
+    const field = event.target as HTMLInputElement
     this.typing = true
     await this.updateComplete
-    ;(event.target as HTMLInputElement).select()
+    field.select()
   }
 
   private readonly commit = (): void => {
