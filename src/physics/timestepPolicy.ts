@@ -15,6 +15,7 @@ export interface FrameContext {
     readonly v: number
     dt: number
     readonly moving: boolean
+    readonly evaluations: number
   }
   /** The power of dt with which the method's error falls, also where the force depends on v. */
   readonly order: number

@@ -4,6 +4,7 @@ import { clockOf } from './frames/index.ts'
 import type { Integrator } from './integrator.ts'
 import { integrators } from './integrators/index.ts'
 import { entry } from './lists.ts'
+import { measuring } from './measured.ts'
 import type { Problem } from './problems.ts'
 import type { Parameters } from './state.ts'
 import { policyOf } from './timesteps/index.ts'
@@ -25,8 +26,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
       path: 'duration',
       message: `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
     })
-  // Frames that are measured wrongly may come to more, which only a bound on the run itself catches.
-  const gameTime = timeScale * duration
+  const gameTime = timeScale * (duration + frameCount * mostAdded(frames))
   const steps = policyOf(timestep).steps(gameTime, frameCount)
   if (steps > limits.steps)
     problems.push({
@@ -44,6 +44,15 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
       message: `${duration} s asks for about ${count(Number(evaluations.toPrecision(2)))} evaluations of the acceleration, more than ${count(limits.evaluations)}, to locate up to ${count(Number(located.toPrecision(2)))} reversals; shorten it, slow the oscillation or choose another stopping rule`,
     })
   return problems
+}
+
+/** By how much a frame may be measured longer than it is [s]: to the next millisecond, or to one refresh of a display. */
+function mostAdded({
+  delta,
+  snapTo = measuring.snapTo.initial,
+}: ResolvedExperiment['frames']): number {
+  if (delta === 'rounded') return 0.0005
+  return delta === 'snapped' ? 1 / snapTo : 0
 }
 
 /**

@@ -14,7 +14,7 @@ function message(value: unknown): string {
   }
 }
 
-const KEYS = 'scene, parameters, integrator, stopping, timestep, frames, duration'
+const KEYS = 'scene, parameters, integrator, stopping, timestep, frames, duration, timeScale'
 const SCENES = scenes.map(({ id }) => id).join(', ')
 const CLOCKS = frameClocks.map(({ id }) => id).join(', ')
 const recorded = (durations: unknown) => ({

@@ -84,7 +84,7 @@ test('the picture, the buttons, the time and undo are alive before anything else
   await page.getByRole('button', { name: 'Located' }).click()
   expect(await spread.innerText()).toBe('0 (to rounding)')
   await page.getByRole('slider', { name: 'Tilt the track' }).press('ArrowUp')
-  await page.getByRole('slider', { name: 'Time' }).press('Home')
+  await page.getByRole('slider', { name: 'Time', exact: true }).press('Home')
   expect(await page.locator('.clock span').innerText()).toBe('0.00')
   await page.getByRole('button', { name: 'Undo' }).click()
   await page.getByRole('button', { name: 'Undo' }).click()

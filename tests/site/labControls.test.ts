@@ -216,7 +216,8 @@ test('every scene opens with its own parameters', async () => {
     await page.getByRole('radio', { name: label }).check({ force: true })
     expect(await state()).toEqual({ ...openingOf(id), runners: openingOf('ramp').runners })
     const labels = await page.locator('.parameters .quantity-label').allInnerTexts()
-    const expected = [...Object.values(parameters).map((each) => each.label), 'Duration']
+    const shared = ['Duration', 'Time scale']
+    const expected = [...Object.values(parameters).map((each) => each.label), ...shared]
     expect(labels.length).toBe(expected.length)
     expected.forEach((text, i) => expect(labels[i]).toContain(text))
     const picture = await pixels()

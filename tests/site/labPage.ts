@@ -32,7 +32,7 @@ export async function openLab(address = '', options: Parameters<typeof openPage>
       ),
     /** As if it were typed into the address bar. */
     goTo: (hash: string) => page.evaluate((hash) => void (location.hash = hash), hash),
-    time: () => page.getByRole('slider', { name: 'Time' }),
+    time: () => page.getByRole('slider', { name: 'Time', exact: true }),
     /** What is on the canvas, to be compared with what was. */
     pixels: async () => {
       await page.locator('slide-lab:not([gliding])').first().waitFor()

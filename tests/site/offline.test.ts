@@ -75,7 +75,7 @@ test('it needs no other file, has its fonts, and plays', async () => {
   await expect.poll(() => spread.innerText()).toBe('0.23\u202fm')
   // Those of formulas are asked for when their section is laid out.
   await expect.poll(() => fonts(page)).toEqual(['Inter', 'STIX Two Math', 'STIX Two Text'])
-  const time = page.getByRole('slider', { name: 'Time' }).first()
+  const time = page.getByRole('slider', { name: 'Time', exact: true }).first()
   await page.getByRole('button', { name: 'To the start' }).first().click()
   expect(await time.inputValue()).toBe('0')
   await page.getByRole('button', { name: 'Play', exact: true }).first().click()

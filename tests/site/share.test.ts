@@ -72,7 +72,7 @@ describe('embed code, pasted into a page of another origin, shows the figure run
   /** It stands at the start, and moves on when it is played. */
   async function expectToRun(place: Page | FrameLocator) {
     await place.getByRole('button', { name: 'To the start' }).click()
-    const time = () => place.getByRole('slider', { name: 'Time' }).inputValue()
+    const time = () => place.getByRole('slider', { name: 'Time', exact: true }).inputValue()
     expect(await time()).toBe('0')
     await place.getByRole('button', { name: 'Play' }).click()
     await expect.poll(async () => Number(await time())).toBeGreaterThan(0)

@@ -107,11 +107,11 @@ test('eight runners of the longest run there is are shown and can be searched', 
     document.querySelector<Lab>('slide-lab')!.trajectories.map((each) => each.frames),
   )
   expect(frames).toEqual(Array.from({ length: 8 }, () => 1_000_000))
-  await page.getByRole('slider', { name: 'Time' }).press('Home')
+  await page.getByRole('slider', { name: 'Time', exact: true }).press('Home')
   expect(await now()).toBe(0)
   await page.getByRole('button', { name: 'One frame forward' }).click()
   expect(await now()).toBe(1)
-  await page.getByRole('slider', { name: 'Time' }).press('End')
+  await page.getByRole('slider', { name: 'Time', exact: true }).press('End')
   expect(await now()).toBe(1_000_000)
   expect(await runner(7).innerText()).toMatch(/0.69\ss · 1.72\sm/)
   expect(problems).toEqual([])

@@ -121,7 +121,7 @@ describe('with a finger', () => {
     await tap(page, button('Play'))
     await expect.poll(now).toBeGreaterThan(stepped)
     if (await button('Pause').isVisible()) await tap(page, button('Pause'))
-    await tap(page, page.getByRole('slider', { name: 'Time' }))
+    await tap(page, page.getByRole('slider', { name: 'Time', exact: true }))
     expect(await now()).toBeCloseTo((await state()).duration / 2, 1)
 
     await tap(page, page.getByRole('checkbox', { name: 'Show forces' }))

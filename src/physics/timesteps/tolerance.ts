@@ -24,9 +24,11 @@ const ROUNDING = 16 * Number.EPSILON
 // Where rounding hides the error, each long step is refused after each short one. So a step that was refused is
 // followed by one as long as it recommends, and the next ones are longer by this factor only, by its square and so on.
 const TRUST = 1.5
-// Far more than a smooth motion asks for. A rule that trembles, as naive friction does at rest, does not come to an end.
-const MOST_TRIES_A_FRAME = 3e5
-const MOST_TRIES_A_SECOND = 2e6
+// Evaluations, far more than a smooth motion asks for: in a short frame, in each second of a longer one, and in any. A rule
+// that trembles, as naive friction does at rest, does not come to an end.
+const MOST_IN_SHORT = 1e6
+const MOST_A_SECOND = 7e6
+const MOST_IN_ANY = 1e7
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
@@ -42,9 +44,11 @@ export const toTolerance = {
     }
     return (frame) => {
       next.left = frame.frameDuration
-      const most = Math.max(MOST_TRIES_A_FRAME, MOST_TRIES_A_SECOND * frame.frameDuration)
-      for (let tries = 0; next.left > 0 && frame.motion.moving; tries++) {
-        if (tries >= most) return frame.abandon()
+      const allowed = Math.max(MOST_IN_SHORT, MOST_A_SECOND * frame.frameDuration)
+      const most = frame.motion.evaluations + Math.min(allowed, MOST_IN_ANY)
+      while (next.left > 0 && frame.motion.moving) {
+        const steps = next.left / next.step
+        if (frame.motion.evaluations > most || steps === Infinity) return frame.abandon()
         advance(frame, next)
       }
       frame.stateTime = frame.gameTime
