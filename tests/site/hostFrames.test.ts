@@ -274,7 +274,9 @@ describe('under a strict Content-Security-Policy', () => {
     await frame.getByRole('button', { name: 'Located' }).click()
     await frame.getByRole('button', { name: 'To the start' }).click()
     await frame.getByRole('button', { name: 'Play' }).click()
-    await expect.poll(() => frame.getByRole('slider', { name: 'Time', exact: true }).inputValue()).not.toBe('0')
+    await expect
+      .poll(() => frame.getByRole('slider', { name: 'Time', exact: true }).inputValue())
+      .not.toBe('0')
     expect(broken).toEqual([])
     expect(problems().filter((each) => !each.includes(host))).toEqual([])
   })
