@@ -107,14 +107,15 @@ function mayHaveTouched(motion: Motion): boolean {
   if (slip * belt > 0 || hasTurned(motion)) return false
   const balance = balanceOf(motion)
   const swing = startS - balance
-  if (!(slip * swing > 0 && slip * (s - balance) < 0)) return false
-  return startV * startV + stiffness * swing * swing > belt * belt
+  const isPassed = slip * swing > 0 && slip * (s - balance) < 0
+  return isPassed && startV * startV + stiffness * swing * swing > belt * belt
 }
 
 /** Ends a trial where the block is fastest, if it has turned by then; otherwise the trial stays. */
 function lookWhereFastest(motion: Motion, integrator: Integrator): void {
   const { dt } = motion
-  if (!locate('balance', motion, integrator) || !hasTurned(motion)) retake(motion, integrator, dt)
+  locate('balance', motion, integrator)
+  if (!hasTurned(motion)) retake(motion, integrator, dt)
 }
 
 /** Takes the step again, now of `dt` seconds. */
@@ -202,11 +203,10 @@ function locate(event: Event, motion: Motion, integrator: Integrator): boolean {
 }
 
 /** The size of the terms whose difference is the residual, for its rounding error [m/s, m, m/s²]. */
-function sizeOf(event: Event, motion: Motion): number {
-  const { slip, from, to, law } = motion
+function sizeOf(event: Event, { slip, from, to, law }: Motion): number {
   if (event === 'turn') return Math.abs(law.belt)
   if (event === 'joint') return Math.abs(slip > 0 ? to : from)
-  if (event === 'balance') return Math.abs(balanceOf(motion))
+  // Where it is fastest, the block needs no more than a place on the right side.
   return law.gravity
 }
 

@@ -26,7 +26,10 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
       path: 'duration',
       message: `${duration} s asks for ${count(frameCount)} frames, more than ${count(limits.frames)}; shorten it or lower the frame rate`,
     })
-  const gameTime = timeScale * (duration + frameCount * mostAdded(frames))
+  // A frame that is snapped to a display may count one refresh more than it lasts.
+  const added =
+    frames.delta === 'snapped' ? frameCount / (frames.snapTo ?? measuring.snapTo.initial) : 0
+  const gameTime = timeScale * (duration + added)
   const steps = policyOf(timestep).steps(gameTime, frameCount)
   if (steps > limits.steps)
     problems.push({
@@ -44,15 +47,6 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
       message: `${duration} s asks for about ${count(Number(evaluations.toPrecision(2)))} evaluations of the acceleration, more than ${count(limits.evaluations)}, to locate up to ${count(Number(located.toPrecision(2)))} reversals; shorten it, slow the oscillation or choose another stopping rule`,
     })
   return problems
-}
-
-/** By how much a frame may be measured longer than it is [s]: to the next millisecond, or to one refresh of a display. */
-function mostAdded({
-  delta,
-  snapTo = measuring.snapTo.initial,
-}: ResolvedExperiment['frames']): number {
-  if (delta === 'rounded') return 0.0005
-  return delta === 'snapped' ? 1 / snapTo : 0
 }
 
 /**

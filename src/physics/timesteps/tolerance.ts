@@ -24,11 +24,10 @@ const ROUNDING = 16 * Number.EPSILON
 // Where rounding hides the error, each long step is refused after each short one. So a step that was refused is
 // followed by one as long as it recommends, and the next ones are longer by this factor only, by its square and so on.
 const TRUST = 1.5
-// Evaluations, far more than a smooth motion asks for: in a short frame, in each second of a longer one, and in any. A rule
-// that trembles, as naive friction does at rest, does not come to an end.
-const MOST_IN_SHORT = 1e6
-const MOST_A_SECOND = 7e6
-const MOST_IN_ANY = 1e7
+// Evaluations, far more than a smooth motion asks for: in each frame, and for each second of it up to one. A rule that
+// trembles, as naive friction does at rest, does not come to an end.
+const MOST = 1e6
+const MORE = 1e7
 
 /** As many steps as the error asks for: each is compared with two of half its length. */
 export const toTolerance = {
@@ -44,11 +43,10 @@ export const toTolerance = {
     }
     return (frame) => {
       next.left = frame.frameDuration
-      const allowed = Math.max(MOST_IN_SHORT, MOST_A_SECOND * frame.frameDuration)
-      const most = frame.motion.evaluations + Math.min(allowed, MOST_IN_ANY)
-      while (next.left > 0 && frame.motion.moving) {
-        const steps = next.left / next.step
-        if (frame.motion.evaluations > most || steps === Infinity) return frame.abandon()
+      const { motion } = frame
+      const most = motion.evaluations + MOST + MORE * Math.min(1, next.left)
+      while (next.left > 0 && motion.moving) {
+        if (motion.evaluations > most || next.left / next.step === Infinity) return frame.abandon()
         advance(frame, next)
       }
       frame.stateTime = frame.gameTime
