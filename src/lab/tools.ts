@@ -3,7 +3,6 @@ import { live } from 'lit/directives/live.js'
 import { iconButton } from '../ui/icons.ts'
 import { allowed } from './allowed.ts'
 import type { LabView } from './labView.ts'
-import type { Preset } from './presets/preset.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */
 export function tools(lab: LabView) {
@@ -11,7 +10,7 @@ export function tools(lab: LabView) {
   return html`<div class="tools" role="group" aria-label="Lab">
     ${button('undo', 'Undo (Ctrl+Z)', history.canUndo, () => history.undo())}
     ${button('redo', 'Redo (Ctrl+Shift+Z)', history.canRedo, () => history.redo())}
-    ${allowed(lab, 'presets', [presetMenu(lab), engineMenu(lab)])}
+    ${allowed(lab, 'presets', presetMenus(lab))}
     ${allowed(
       lab,
       'share',
@@ -42,39 +41,33 @@ function keepFocus(button: HTMLButtonElement): void {
   })
 }
 
-/** The preset that is shown, for as long as nothing of it is changed. */
-function shown({ simulated, preset }: LabView): Preset | undefined {
-  return preset?.shown.state === simulated.state ? preset : undefined
+/** The menus of presets and of engines, whose presets suit what is on the ramp. */
+function presetMenus(lab: LabView) {
+  const { simulated, selected, preset, load } = lab
+  const { presets, presetOptions, engines, engineOptions } = lab.menus
+  // It is named for as long as nothing of it is changed.
+  const shown = preset?.shown.state === simulated.state ? preset : undefined
+  return [
+    menu('Presets', presetOptions, presets.indexOf(shown!), (index) => load(presets[index]!)),
+    menu(
+      'Your engine',
+      engineOptions,
+      engines.findIndex(({ label }) => label === shown?.label),
+      (index) => load(engines[index]!.presetOf(simulated.state, selected)),
+    ),
+  ]
 }
 
-/** The menu of presets. It names the one that is shown. */
-function presetMenu(lab: LabView) {
-  const { presets, presetOptions } = lab.menus
+/** A menu that reads its name while nothing of it is chosen. */
+function menu(name: string, options: unknown, chosen: number, choose: (index: number) => void) {
   return html`<select
     class="presets"
-    aria-label="Preset"
-    ?data-empty=${presets.length === 0}
-    .value=${live(String(presets.indexOf(shown(lab)!)))}
-    @change=${(event: Event) => lab.load(presets[Number((event.target as HTMLSelectElement).value)]!)}
+    aria-label=${name}
+    ?data-empty=${!options}
+    .value=${live(String(chosen))}
+    @change=${(event: Event) => choose(Number((event.target as HTMLSelectElement).value))}
   >
-    <option value="-1" disabled selected>Presets</option>
-    ${presetOptions}
-  </select>`
-}
-
-/** The menu of engines. It names the one whose runners are shown. */
-function engineMenu(lab: LabView) {
-  const { simulated, selected, menus, load } = lab
-  const { engines, engineOptions } = menus
-  const presetAt = (index: string) => engines[Number(index)]!.presetOf(simulated.state, selected)
-  return html`<select
-    class="presets"
-    aria-label="Your engine"
-    ?data-empty=${engines.length === 0}
-    .value=${live(String(engines.findIndex(({ label }) => label === shown(lab)?.label)))}
-    @change=${(event: Event) => load(presetAt((event.target as HTMLSelectElement).value))}
-  >
-    <option value="-1" disabled selected>Your engine</option>
-    ${engineOptions}
+    <option value="-1" disabled selected>${name}</option>
+    ${options}
   </select>`
 }

@@ -40,7 +40,7 @@ test.each(
   await openEverything(page)
   await page.getByRole('button', { name: 'Share' }).click()
   expect(await violationsOn(page)).toEqual([])
-  await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 1 })
+  await page.getByRole('combobox', { name: 'Presets' }).selectOption({ index: 1 })
   await page.getByRole('textbox', { name: 'Angle' }).fill('steep')
   await page.keyboard.press('Enter')
   await page.getByRole('alert').waitFor()

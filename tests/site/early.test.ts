@@ -145,7 +145,7 @@ test('a press on Share before it can answer opens it when it can', async () => {
 
 test('a press on the presets before there are any is not lost', async () => {
   const { page, problems, letGo } = await openEarly()
-  const menu = page.getByRole('combobox', { name: 'Preset' })
+  const menu = page.getByRole('combobox', { name: 'Presets' })
   expect(await menu.locator('option').count()).toBe(1)
   await page.evaluate(() => {
     const shown = HTMLSelectElement.prototype.showPicker

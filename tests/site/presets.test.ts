@@ -6,7 +6,7 @@ import { violationsOn } from './axe.ts'
 import { openLab } from './labPage.ts'
 import type { Lab } from './labPage.ts'
 
-const menu = (lab: Lab) => lab.page.getByRole('combobox', { name: 'Preset', exact: true })
+const menu = (lab: Lab) => lab.page.getByRole('combobox', { name: 'Presets', exact: true })
 const chosen = (lab: Lab) => menu(lab).locator('option:checked').innerText()
 const note = (lab: Lab) => lab.page.locator('.preset-note')
 const choose = (lab: Lab, label: string) => menu(lab).selectOption({ label })

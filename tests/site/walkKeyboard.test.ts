@@ -101,7 +101,7 @@ test('the whole lab can be used with the keyboard alone', async () => {
   await expect.poll(async () => (await focus(page)).name).toBe('Undo')
 
   // A preset, its note, and what it says is closed.
-  await tabTo(page, 'Preset')
+  await tabTo(page, 'Presets')
   await pressed('ArrowDown')
   expect(await page.locator('.preset-note').innerText()).toContain('The fewer the frames')
   // The menu of sharing.

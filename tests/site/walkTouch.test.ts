@@ -30,7 +30,7 @@ async function drag(page: Page, selector: string, dx: number, dy: number): Promi
 async function openAll({ page }: Lab): Promise<void> {
   await page.locator('slide-lab-plots').scrollIntoViewIfNeeded()
   await page.locator('slide-lab-plots canvas.chart').first().waitFor()
-  await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 3 })
+  await page.getByRole('combobox', { name: 'Presets' }).selectOption({ index: 3 })
   await tap(page, page.getByRole('checkbox', { name: 'Show forces' }))
   for (const summary of await page.locator('slide-lab summary').all())
     if (await summary.isVisible()) await tap(page, summary)
@@ -109,7 +109,7 @@ describe('with a finger', () => {
     expect(await button('Copy link').isVisible()).toBe(false)
 
     // A menu opens under the finger; what is chosen in it the system hands over.
-    await page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 2 })
+    await page.getByRole('combobox', { name: 'Presets' }).selectOption({ index: 2 })
     await tap(page, button('Close the note'))
     expect(await page.locator('.preset-note').innerText()).toBe('')
 
