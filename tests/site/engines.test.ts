@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest'
 import { engines } from '../../src/engines/index.ts'
 import { openLab } from './labPage.ts'
+import { openPage } from './page.ts'
 
 test('the menu of engines sets the runners, says what was left out, and is undone', async () => {
   const lab = await openLab('runners=45;144')
@@ -50,7 +51,7 @@ test('a runner’s own menu makes it an engine’s, in its link too, until its m
 })
 
 test('the figure moves the kick as the chosen engine does, and says what to change in it', async () => {
-  const { page, problems } = await openLab()
+  const { page, problems } = await openPage()
   const figure = page.locator('#figure-your-engine slide-figure')
   await figure.scrollIntoViewIfNeeded()
   await figure.getByLabel('Engine').selectOption({ label: 'Godot 4' })

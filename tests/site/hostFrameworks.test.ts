@@ -242,7 +242,7 @@ describe.each(['React', 'Vue'] as const)('%s', (name) => {
     await put({ experiment: { scene: 'ramp', parameters: { angle: 900 } } })
     const alert = page.locator('slide-lab').getByRole('alert')
     await expect.poll(() => alert.innerText()).toContain('900 is not in')
-    expect((await known()).error).toContain('experiment.parameters.angle')
+    await expect.poll(async () => (await known()).error).toContain('experiment.parameters.angle')
     await put({ experiment: { scene: 'ramp', parameters: { angle: 9 } } })
     await expect.poll(shown).toMatchObject([{ parameters: { angle: 9 } }])
     expect(await alert.count()).toBe(0)

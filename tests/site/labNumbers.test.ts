@@ -6,7 +6,7 @@ import { experimentOf } from '../../src/lab/state/check.ts'
 import { lengthText } from '../../src/chart/numbers.ts'
 import { errorText } from '../../src/panels/runners/results.ts'
 import { Simulation } from '../../src/lab/state/simulation.ts'
-import { openLab } from './labPage.ts'
+import { openLab, openLabOverText } from './labPage.ts'
 
 const columns = ['time', 'stateTime', 's', 'v', 'drawnS', 'heat'] as const
 
@@ -75,7 +75,7 @@ test('after a change too, and at every instant', async () => {
 })
 
 test('where the browser’s language has a decimal comma, fields show and take it', async () => {
-  const lab = await openLab('mass=1.5', { locale: 'de-DE' })
+  const lab = await openLabOverText('mass=1.5', { locale: 'de-DE' })
   const mass = lab.field('Mass')
   expect(await lab.field('Gravity').inputValue()).toBe('9,81')
   expect(await mass.inputValue()).toBe('1,5')

@@ -6,9 +6,21 @@ import { Picture } from './picture.ts'
 
 export type Lab = Awaited<ReturnType<typeof openLab>>
 
-/** Opens the page with the lab at an address, the part after `#`. */
-export async function openLab(address = '', options: Parameters<typeof openPage>[0] = {}) {
-  const { page, problems } = await openPage({ path: address && `#${address}`, ...options })
+/** Opens the lab, with nothing below it, at an address, the part after `#`. */
+export function openLab(address = '', options: Parameters<typeof openPage>[0] = {}) {
+  return openLabOf('lab.html', address, options)
+}
+
+/** Opens the whole page, with its lab at an address. */
+export function openLabOverText(address = '', options: Parameters<typeof openPage>[0] = {}) {
+  return openLabOf('', address, options)
+}
+
+async function openLabOf(file: string, address: string, options: Parameters<typeof openPage>[0]) {
+  const { page, problems } = await openPage({
+    path: file + (address && `#${address}`),
+    ...options,
+  })
   const state = () =>
     page.evaluate(
       () => (document.querySelector('slide-lab') as unknown as { state: LabState }).state,

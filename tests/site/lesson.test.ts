@@ -15,7 +15,7 @@ test('a link for a lesson is made by ticking, and leaves just that', async () =>
   await lab.page.getByRole('button', { name: 'Copy link for the lesson' }).click()
   await expect
     .poll(() => lab.page.evaluate(() => navigator.clipboard.readText()))
-    .toBe(`${inject('address')}#angle=20&controls=angle,fps&hide=exact`)
+    .toBe(`${inject('address')}lab.html#angle=20&controls=angle,fps&hide=exact`)
 
   const lesson = await openLab('angle=20&controls=angle,fps&hide=exact', { width: 1280 })
   const { page } = lesson

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { sweepMethods } from '../../src/measure/index.ts'
 import { some } from '../samples.ts'
-import { openLab } from './labPage.ts'
+import { openPage } from './page.ts'
 import { holdWorkers, openMeasures } from './measurePage.ts'
 
 const places = [
@@ -62,7 +62,7 @@ test.each(
 )
 
 test.each([1440, 390])('at %i px the text’s own diagram keeps its height too', async (width) => {
-  const { page, problems } = await openLab('', { width, hasTouch: width < 800 })
+  const { page, problems } = await openPage({ width, hasTouch: width < 800 })
   await page.evaluate(holdWorkers)
   const figure = page.locator('slide-figure[name="speed-against-error"]')
   const bar = figure.getByRole('progressbar', { name: 'Measuring' })

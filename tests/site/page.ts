@@ -78,12 +78,15 @@ async function whole(page: Page): Promise<void> {
   })
 }
 
-/** Nothing moves from then on, and the text is laid out. */
+/** Nothing moves from then on, and the text is laid out: at once, and not in frames that have time left. */
 async function endOpening(page: Page): Promise<void> {
-  await page.evaluate(() => document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel')))
-  await page.waitForFunction(() => {
-    const last = document.querySelector('.text > section:last-of-type')
-    return !last || last.classList.contains('laid-out')
+  await page.evaluate(async () => {
+    document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel'))
+    for (const section of document.querySelectorAll('.text > section')) {
+      section.classList.add('laid-out')
+    }
+    // What follows from it, the width of an equation for one, is seen to in the next frame.
+    await new Promise((then) => requestAnimationFrame(() => requestAnimationFrame(then)))
   })
 }
 

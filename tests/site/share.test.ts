@@ -44,7 +44,7 @@ test('a copied link opens what is shown, at once after a change', async () => {
   await lab.slider('Angle').fill('41')
   await lab.page.getByRole('button', { name: 'Share' }).click()
   const link = await copied(lab, 'Copy link')
-  expect(link).toBe(`${inject('address')}#angle=41`)
+  expect(link).toBe(`${inject('address')}lab.html#angle=41`)
   const other = await openLab(new URL(link).hash.slice(1))
   expect(await other.state()).toEqual(await lab.state())
 })
@@ -128,11 +128,10 @@ test('where the page may not write to the clipboard, the text is there to be cop
   )
   await item(lab, 'Copy link').click()
   const field = lab.page.getByRole('textbox', { name: 'Text to copy' })
-  expect(await field.inputValue()).toBe(inject('address'))
+  const address = `${inject('address')}lab.html`
+  expect(await field.inputValue()).toBe(address)
   expect(await status(lab).innerText()).toContain('Copy it by hand')
-  await expect
-    .poll(() => lab.page.evaluate(() => getSelection()!.toString()))
-    .toBe(inject('address'))
+  await expect.poll(() => lab.page.evaluate(() => getSelection()!.toString())).toBe(address)
   expect(lab.problems).toEqual([])
 })
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { focus, inOrder, tabTo, tour } from './keyboard.ts'
-import { openLab } from './labPage.ts'
+import { openLab, openLabOverText } from './labPage.ts'
 import type { Lab } from './labPage.ts'
 
 async function loadPlots({ page }: Lab): Promise<void> {
@@ -21,7 +21,7 @@ describe('Tab', () => {
   test.each([1280, 390])(
     'at %d px leads to everything, in the order of the page',
     async (width) => {
-      const lab = await openLab('', { width })
+      const lab = await openLabOverText('', { width })
       const { page } = lab
       await loadPlots(lab)
       await measuresRest(lab)
