@@ -30,7 +30,7 @@ test('a link for a lesson is made by ticking, and leaves just that', async () =>
   for (const gone of ['.modes', '.scenes', 'slide-lab-measures', 'slide-step-inspector', '.add'])
     expect(await page.locator(`slide-lab ${gone}`).count(), gone).toBe(0)
   // Nothing tells of the exact block: no words, no curve, no error.
-  expect(await page.locator('slide-lab').innerText()).not.toMatch(/exact\b(?!ly)/)
+  await expect.poll(() => page.locator('slide-lab').innerText()).not.toMatch(/exact\b(?!ly)/)
   expect(await page.locator('slide-stage canvas').getAttribute('aria-label')).not.toMatch(/exact/)
   expect(await page.locator('.runner .end output').allInnerTexts()).toEqual(['–', '–', '–'])
   // What may be used works, and the address keeps the lesson.

@@ -61,27 +61,26 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
   await page.goto(new URL(path, inject('address')).href, { waitUntil: 'load' })
   await page.evaluate(() => document.fonts.ready.then(() => undefined))
   if (options.javaScriptEnabled !== false) {
-    await whole(page)
-    if (!opening) await endOpening(page)
+    await whole(page, opening)
   }
   return { page, problems, close }
 }
 
-/** Waits for what a page loads as soon as its lab is alive. */
-async function whole(page: Page): Promise<void> {
-  await page.waitForFunction(() => {
+/**
+ * Waits for what a page loads as soon as its lab is alive. Unless its opening is to play, nothing moves from then on, and
+ * the text is laid out: at once, and not in frames that have time left.
+ */
+async function whole(page: Page, opening: boolean): Promise<void> {
+  await page.waitForFunction((opening) => {
     const lab = document.querySelector('slide-lab')
+    if (!opening) lab?.dispatchEvent(new Event('wheel'))
     const later = lab?.hasAttribute('compact') ? '.open-in-lab' : 'slide-lab-plots:defined'
     const figures =
       !document.querySelector('.tutorial') || document.querySelector('slide-figure:defined')
     return (!lab || lab.querySelector(later)) && figures
-  })
-}
-
-/** Nothing moves from then on, and the text is laid out: at once, and not in frames that have time left. */
-async function endOpening(page: Page): Promise<void> {
+  }, opening)
+  if (opening) return
   await page.evaluate(async () => {
-    document.querySelector('slide-lab')?.dispatchEvent(new Event('wheel'))
     for (const section of document.querySelectorAll('.text > section')) {
       section.classList.add('laid-out')
     }

@@ -225,12 +225,15 @@ describe('a link', () => {
 
 test.each([390, 320])('every equation is whole at %d px', async (width) => {
   const { page } = await openPage({ width })
-  const cut = await page
-    .locator('.equation')
-    .evaluateAll((all) =>
-      all.filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + 1).map(String),
-    )
-  expect(cut).toEqual([])
+  const cut = () =>
+    page
+      .locator('.equation')
+      .evaluateAll((all) =>
+        all
+          .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + 1)
+          .map(({ textContent }) => textContent),
+      )
+  await expect.poll(cut).toEqual([])
 })
 
 test('links at the foot have the colour of links', async () => {

@@ -23,14 +23,16 @@ export function layOutInTurn(sections: readonly HTMLElement[]): void {
     holdInPlace(target)
   }
   const next = () => {
-    const section = waiting.shift()
-    if (section) layOut(section)
-    if (waiting.length > 0) whenAtRest(next)
-    else removeEventListener('hashchange', land)
+    if (waiting.length === 0) return removeEventListener('hashchange', land)
+    whenAtRest(() => {
+      const section = waiting.shift()
+      if (section) layOut(section)
+      next()
+    })
   }
   addEventListener('hashchange', land)
   land()
-  whenAtRest(next)
+  next()
 }
 
 /** Lays out a section; one above the window pushes nothing of what the reader sees. */
