@@ -14,13 +14,17 @@ import type { Experiment, NumberOption, Option, Options, Scene } from '../physic
 const ROUNDS = 2
 
 /**
- * A hash of what the physics computes: every row of 210 runs and more, all scenes × methods × rules with
- * the policies, the clocks and the parameters in rotation, and every wrong delta with every policy. Engines that agree on it agree on every bit of the runs.
+ * A hash of what the physics computes: every row of 210 runs and more, all scenes × methods × rules with the policies, the
+ * clocks and the parameters in rotation, and every wrong delta with every policy. Engines that agree on it agree on every
+ * bit of the runs.
  *
+ * @param experiments of which it is; by default all of `fingerprintExperiments`
  * @returns how many runs there were, and FNV-1a (Fowler, Noll & Vo, 64 bits) of their bytes in hexadecimal digits
  */
-export function fingerprint(): { experiments: number; hash: string } {
-  const experiments = fingerprintExperiments()
+export function fingerprint(experiments = fingerprintExperiments()): {
+  experiments: number
+  hash: string
+} {
   const hash = new Hash()
   for (const experiment of experiments) {
     const run = simulate(experiment)

@@ -4,10 +4,14 @@ import { build } from 'vite'
 const root = join(import.meta.dirname, '../..')
 
 /**
- * The fingerprint as a script without imports, and the expression that computes it: `{ experiments, hash }` as JSON.
- * Built by what builds the page.
+ * The fingerprint as a script without imports, and the expression that computes it: `{ experiments, hash }` as JSON; and of
+ * every fourth experiment, for an engine that is slow. Built by what builds the page.
  */
-export async function fingerprintScript(): Promise<{ script: string; expression: string }> {
+export async function fingerprintScript(): Promise<{
+  script: string
+  expression: string
+  quarter: string
+}> {
   const built = await build({
     root,
     configFile: false,
@@ -27,5 +31,6 @@ export async function fingerprintScript(): Promise<{ script: string; expression:
   return {
     script: output[0]!.code,
     expression: 'JSON.stringify(AnyFrameRate.fingerprint())',
+    quarter: `JSON.stringify(AnyFrameRate.fingerprint(AnyFrameRate.fingerprintExperiments().filter((_, i) => i % 4 === 0)))`,
   }
 }
