@@ -49,7 +49,7 @@ export function logSummary(
   const differences = isClock ? 'the differences of ' : ''
   const source = column ? `${differences}${column} (in ${unit})` : `a list in ${unit}`
   const rest = leftOut > 0 ? `; ${rows(leftOut)} left out` : ''
-  return `${some(frames.length, 'frame')} in ${fixed(total, 1)} s, ${times}, from ${source}${rest}`
+  return `${some(frames.length, 'frame')} in ${total < 0.1 ? ms(total) : `${fixed(total, 1)} s`}, ${times}, from ${source}${rest}`
 }
 
 /** “3 rows”. */

@@ -22,7 +22,7 @@ describe('the summary of a log', () => {
   test('names a clock as such, and a list without a name', () => {
     const frames = Float64Array.of(0.0004)
     expect(logSummary(frames, { ...source, column: 'Time', unit: 's', isClock: true })).toBe(
-      '1 frame in 0.0 s, median 0.4 ms, longest 0.4 ms, from the differences of Time (in s)',
+      '1 frame in 0.4 ms, median 0.4 ms, longest 0.4 ms, from the differences of Time (in s)',
     )
     expect(logSummary(frames, { ...source, column: '', unit: 'µs' })).toMatch(/from a list in µs$/)
   })
