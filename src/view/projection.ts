@@ -22,11 +22,21 @@ export interface Subject extends Point {
 const SMALLEST = 1e-12
 const LARGEST = 1e12
 
-/**
- * The largest camera that sees all subjects on a canvas, in its middle. It changes continuously with its subjects.
- * Where their pixels alone need more than there is, the smallest.
- */
-export function fit(subjects: readonly Subject[], width: number, height: number): Camera {
+/** As much of a canvas as what is around the subjects may take: where it is low, words and arrows give way. */
+const AROUND = 0.8
+
+/** The largest camera that sees all subjects on a canvas, in its middle. It changes continuously with its subjects. */
+export function fit(all: readonly Subject[], width: number, height: number): Camera {
+  const around = reach(all, 0)
+  const across = Math.min(1, (AROUND * width) / (around.right - around.left))
+  const down = Math.min(1, (AROUND * height) / (around.bottom - around.top))
+  const subjects = all.map((each) => ({
+    ...each,
+    left: across * each.left,
+    right: across * each.right,
+    above: down * each.above,
+    below: down * each.below,
+  }))
   // Halving the range of its logarithm: what a subject needs grows with the scale, whatever room is around it.
   let low = Math.log(SMALLEST)
   let high = Math.log(LARGEST)

@@ -44,14 +44,17 @@ test('there is no script or style in the page itself, and the page around it sho
 })
 
 test.each([
-  [560, 315],
-  [480, 270],
-])('in a frame of %d × %d the transport is in view, and a picture', async (width, height) => {
-  const { page } = await openPage({ path: 'embed.html', width, height })
+  [560, 315, ''],
+  [480, 270, '#runners=45/godot;144/unity-update'],
+])('in a frame of %d × %d the transport is in view, and a picture', async (width, height, link) => {
+  const { page } = await openPage({ path: `embed.html${link}`, width, height })
   const play = (await page.getByRole('button', { name: 'Play' }).boundingBox())!
   expect(play.y + play.height).toBeLessThanOrEqual(height)
   const stage = (await page.locator('slide-stage').boundingBox())!
-  expect(stage.height).toBeGreaterThan(70)
+  expect(stage.height).toBeGreaterThan(100)
+  // All of it, above the transport.
+  expect(stage.y).toBeGreaterThan(0)
+  expect(stage.y + stage.height).toBeLessThanOrEqual(play.y)
   expect(await page.evaluate(() => scrollY)).toBe(0)
 })
 

@@ -42,3 +42,16 @@ test('kilometres and millimetres', () => {
   expect(fit([at(0, 0), at(1e6, 0)], 100, 100).scale).toBeCloseTo(1e-4, 9)
   expect(fit([at(0, 0), at(1e-6, 0)], 100, 100).scale / 1e8).toBeCloseTo(1, 6)
 })
+
+test('on a canvas that the room around them would fill, they still have a fifth of it', () => {
+  for (const height of [20, 60, 90, 120]) {
+    const { scale, y } = fit([at(0, 0, 60), at(1, 2, 60)], 400, height)
+    expect(2 * scale).toBeCloseTo(0.2 * height, 6)
+    expect(y).toBeCloseTo(0.6 * height, 6)
+  }
+  // Rooms that just fit change nothing, so that no picture jumps while its canvas grows.
+  const [lower, higher] = [149.99, 150.01].map(
+    (height) => fit([at(0, 0, 60), at(1, 2, 60)], 400, height).scale,
+  )
+  expect(higher! / lower!).toBeCloseTo(1, 3)
+})
