@@ -30,8 +30,11 @@ async function playSecond(page: Page, from: number): Promise<Frame[]> {
     }
     playback.seek(from)
     playback.play()
-    // What begins with playing is not what each frame costs.
-    await new Promise((resolve) => setTimeout(resolve, 50))
+    // What begins with playing is not what each frame costs. Held by the page, since Chromium has collected a promise for
+    // which only its inspector waited.
+    const begun = new Promise((resolve) => setTimeout(resolve, 50))
+    Object.assign(window, { begun })
+    await begun
     const watching = new MutationObserver(() => {})
     watching.observe(document, {
       ...{ subtree: true, childList: true, characterData: true, attributes: true },
