@@ -14,45 +14,51 @@ type Lab = HTMLElement & {
 /** What happened in each of sixty frames of a sixtieth of a second, whatever the machine is busy with. */
 type Frame = { readonly changed: number; readonly drawn: number }
 
+/** What a lab asks of its browser, in the hands of a test. */
+type Held = Window & { asked: FrameRequestCallback[]; drawn: number; letGo: () => void }
+
 /** Plays a second of a lab from a time on, by a clock of the test's own. */
 async function playSecond(page: Page, from: number): Promise<Frame[]> {
-  return page.evaluate(async (from) => {
+  await page.evaluate((from) => {
     const { playback } = document.querySelector<Lab>('slide-lab')!
     const stage = document.querySelector<HTMLCanvasElement>('slide-stage canvas')!
-    let asked: FrameRequestCallback[] = []
+    const held = window as unknown as Held
     const ask = window.requestAnimationFrame
-    window.requestAnimationFrame = (callback) => asked.push(callback)
-    let drawn = 0
+    held.asked = []
+    window.requestAnimationFrame = (callback) => held.asked.push(callback)
     const { fill } = CanvasRenderingContext2D.prototype
     CanvasRenderingContext2D.prototype.fill = function (...given: unknown[]) {
-      if (this.canvas === stage) drawn++
+      if (this.canvas === stage) held.drawn++
       return Reflect.apply(fill, this, given) as undefined
+    }
+    held.letGo = () => {
+      CanvasRenderingContext2D.prototype.fill = fill
+      window.requestAnimationFrame = ask
     }
     playback.seek(from)
     playback.play()
-    // What begins with playing is not what each frame costs. Held by the page, since Chromium has collected a promise for
-    // which only its inspector waited.
-    const begun = new Promise((resolve) => setTimeout(resolve, 50))
-    Object.assign(window, { begun })
-    await begun
+  }, from)
+  // What begins with playing is not what each frame costs.
+  await page.waitForTimeout(50)
+  return page.evaluate(() => {
+    const held = window as unknown as Held
     const watching = new MutationObserver(() => {})
     watching.observe(document, {
       ...{ subtree: true, childList: true, characterData: true, attributes: true },
     })
     const frames: Frame[] = []
     for (let i = 0; i < 60; i++) {
-      drawn = 0
-      const due = asked
-      asked = []
+      held.drawn = 0
+      const due = held.asked
+      held.asked = []
       for (const callback of due) callback(1000 + (i * 1000) / 60)
-      frames.push({ changed: watching.takeRecords().length, drawn })
+      frames.push({ changed: watching.takeRecords().length, drawn: held.drawn })
     }
     watching.disconnect()
-    playback.pause()
-    CanvasRenderingContext2D.prototype.fill = fill
-    window.requestAnimationFrame = ask
+    document.querySelector<Lab>('slide-lab')!.playback.pause()
+    held.letGo()
     return frames
-  }, from)
+  })
 }
 
 test('while it plays the page is written ten times a second, and between that nothing of it changes', async () => {
