@@ -10,12 +10,15 @@ import type { Preset } from './presets/preset.ts'
 import type { Change } from './state/change.ts'
 import type { Simulated } from './state/simulation.ts'
 
-/** What the menus of presets and of engines offer, and their options as lit renders them; nothing until it is loaded. */
+/** A menu's options as lit renders them, of which one may be chosen. */
+export type Options = (chosen: number) => unknown
+
+/** What the menus of presets and of engines offer; nothing until it is loaded. */
 export interface Menus {
   readonly presets: readonly Preset[]
-  readonly presetOptions?: unknown
+  readonly presetOptions?: Options
   readonly engines: readonly EngineChoice[]
-  readonly engineOptions?: unknown
+  readonly engineOptions?: Options
 }
 
 /** What the parts of a lab see of it. */

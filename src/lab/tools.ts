@@ -1,8 +1,7 @@
 import { html } from 'lit'
-import { live } from 'lit/directives/live.js'
 import { iconButton } from '../ui/icons.ts'
 import { allowed } from './allowed.ts'
-import type { LabView } from './labView.ts'
+import type { LabView, Options } from './labView.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */
 export function tools(lab: LabView) {
@@ -59,15 +58,19 @@ function presetMenus(lab: LabView) {
 }
 
 /** A menu that reads its name while nothing of it is chosen. */
-function menu(name: string, options: unknown, chosen: number, choose: (index: number) => void) {
+function menu(
+  name: string,
+  options: Options | undefined,
+  chosen: number,
+  choose: (index: number) => void,
+) {
   return html`<select
     class="presets"
     aria-label=${name}
     ?data-empty=${!options}
-    .value=${live(String(chosen))}
     @change=${(event: Event) => choose(Number((event.target as HTMLSelectElement).value))}
   >
-    <option value="-1" disabled selected>${name}</option>
-    ${options}
+    <option value="-1" disabled .selected=${chosen < 0}>${name}</option>
+    ${options?.(chosen)}
   </select>`
 }

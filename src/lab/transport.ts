@@ -1,5 +1,4 @@
 import { html, noChange } from 'lit'
-import { live } from 'lit/directives/live.js'
 import { fixed } from '../chart/numbers.ts'
 import { iconButton } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
@@ -49,7 +48,7 @@ export function transport({ simulated, playback }: LabView) {
         max=${duration}
         step="any"
         .style="--filled: ${atNow(playback, (time) => (playback.playing ? noChange : part(time)))}"
-        .value=${atNow(playback, (time) => live(String(time)))}
+        .value=${atNow(playback, String)}
         @input=${(event: Event) => playback.seek((event.target as HTMLInputElement).valueAsNumber)}
       />
       <slide-frame-strip

@@ -26,33 +26,31 @@ const LARGEST = 1e12
 const AROUND = 0.8
 
 /** The largest camera that sees all subjects on a canvas, in its middle. It changes continuously with its subjects. */
-export function fit(all: readonly Subject[], width: number, height: number): Camera {
-  const around = reach(all, 0)
+export function fit(subjects: readonly Subject[], width: number, height: number): Camera {
+  const around = reach(subjects, 0)
   const across = Math.min(1, (AROUND * width) / (around.right - around.left))
   const down = Math.min(1, (AROUND * height) / (around.bottom - around.top))
-  const subjects = all.map((each) => ({
-    ...each,
-    left: across * each.left,
-    right: across * each.right,
-    above: down * each.above,
-    below: down * each.below,
-  }))
   // Halving the range of its logarithm: what a subject needs grows with the scale, whatever room is around it.
   let low = Math.log(SMALLEST)
   let high = Math.log(LARGEST)
   for (let i = 0; i < 48; i++) {
     const middle = (low + high) / 2
-    const { left, right, top, bottom } = reach(subjects, Math.exp(middle))
+    const { left, right, top, bottom } = reach(subjects, Math.exp(middle), across, down)
     if (right - left <= width && bottom - top <= height) low = middle
     else high = middle
   }
   const scale = Math.exp(low)
-  const { left, right, top, bottom } = reach(subjects, scale)
+  const { left, right, top, bottom } = reach(subjects, scale, across, down)
   return { scale, x: (width - left - right) / 2, y: (height - top - bottom) / 2 }
 }
 
-/** The box around all subjects at a scale, the world's origin in pixel (0, 0). */
-function reach(subjects: readonly Subject[], scale: number) {
+/**
+ * The box around all subjects at a scale, the world's origin in pixel (0, 0).
+ *
+ * @param across the part of the room beside each that it gets
+ * @param down the part of the room above and below
+ */
+function reach(subjects: readonly Subject[], scale: number, across = 1, down = 1) {
   let left = Infinity
   let right = -Infinity
   let top = Infinity
@@ -60,10 +58,10 @@ function reach(subjects: readonly Subject[], scale: number) {
   for (const subject of subjects) {
     const x = subject.x * scale
     const y = -subject.y * scale
-    left = Math.min(left, x - subject.left)
-    right = Math.max(right, x + subject.right)
-    top = Math.min(top, y - subject.above)
-    bottom = Math.max(bottom, y + subject.below)
+    left = Math.min(left, x - across * subject.left)
+    right = Math.max(right, x + across * subject.right)
+    top = Math.min(top, y - down * subject.above)
+    bottom = Math.max(bottom, y + down * subject.below)
   }
   return { left, right, top, bottom }
 }

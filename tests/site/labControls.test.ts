@@ -202,10 +202,25 @@ describe('a parameter', () => {
   })
 
   test('of time: the run gets longer and the cursor stays at its end', async () => {
-    const { slider, state, time } = await openLab()
+    const { page, slider, state, time } = await openLab()
     await slider('Duration').fill('3')
     expect((await state()).duration).toBe(3)
     expect(await time().getAttribute('aria-valuetext')).toBe('3.00 of 3.00 seconds')
+    expect(await time().inputValue()).toBe('3')
+    await slider('Duration').fill('2')
+    expect(await time().inputValue()).toBe('2')
+    await slider('Duration').fill('5')
+    expect(await time().inputValue()).toBe('5')
+    // One that is not at the end stays where it is, and what is too short takes it along.
+    await time().fill('2.5')
+    await slider('Duration').fill('4')
+    expect(await time().inputValue()).toBe('2.5')
+    await slider('Duration').fill('2')
+    expect(await time().inputValue()).toBe('2')
+    // What was done so fast is one step back.
+    await page.getByRole('button', { name: 'Undo' }).click()
+    await expect.poll(() => time().getAttribute('aria-valuetext')).toBe('1.00 of 1.00 seconds')
+    expect(await time().inputValue()).toBe('1')
   })
 })
 
