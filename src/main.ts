@@ -1,4 +1,7 @@
-/** Notes a link of the text that sets a figure and was pressed before the figures were there, for `follow` to press it again. */
+/**
+ * Notes a link of the text that sets a figure and was pressed before the figures were there, for `follow` to press it
+ * again.
+ */
 class EarlyLinks {
   private pressed: HTMLElement | undefined
 

@@ -8,7 +8,7 @@ import type { Change } from './state/change.ts'
 export interface LessonAsked {
   /** Nothing can be used but playing and the time. */
   readonly locked?: boolean
-  /** What can be used besides, all that is not named cannot; as “angle fps”. */
+  /** What can be used besides, as “angle fps”: what is not named can’t be. */
   readonly controls?: string | null
   /** What readers are to find out: `exact`, `spread`. */
   readonly hide?: string | null

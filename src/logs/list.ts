@@ -15,7 +15,9 @@ export function* readList(text: string): Generator<number, Series> {
   return series
 }
 
-/** Judged by the beginning: every number has one comma between digits, none a point, and something else is between them. */
+/**
+ * Judged by the beginning: every number has one comma between digits, none a point, and something else is between them.
+ */
 function hasDecimalCommas(text: string): boolean {
   const items = text
     .slice(0, 5000)

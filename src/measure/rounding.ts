@@ -25,7 +25,9 @@ export function leastDifference(scale: number): number {
 const SAMPLES = 64
 const known = new WeakMap<object, Scale>()
 
-/** The scale of an experiment, from the true motion, so that a run that goes astray does not enlarge its own tolerance. */
+/**
+ * The scale of an experiment, from the true motion, so that a run that goes astray does not enlarge its own tolerance.
+ */
 export function scaleOf(experiment: ResolvedExperiment): Scale {
   let scale = known.get(experiment)
   if (!scale) known.set(experiment, (scale = find(experiment)))

@@ -25,7 +25,10 @@ export const dampings = [
 
 export type DampingId = (typeof dampings)[number]['id']
 
-/** Where a body is after each frame of a game that damps it first and moves it then; it starts at 0 with the speed `v` [m]. */
+/**
+ * Where a body is after each frame of a game that damps it first and moves it then; it starts at 0 with the speed `v`
+ * [m].
+ */
 export function framesOfCoasting(
   id: DampingId,
   { k, v, fps, frames }: { k: number; v: number; fps: number; frames: number },

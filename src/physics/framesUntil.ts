@@ -9,7 +9,9 @@ export class FramesUntil {
   length = NaN
   /** The wall-clock time at the frame's end [s]. */
   time = 0
-  /** How long the game takes the frame to be, and the sum of that [s]. Where it measures exactly, `length` and `time`. */
+  /**
+   * How long the game takes the frame to be, and the sum of that [s]. Where it measures exactly, `length` and `time`.
+   */
   delta = NaN
   measuredTime = 0
   /** About how many frames there will be. */

@@ -8,7 +8,9 @@ export interface Press {
   readonly frame: number
   /** The ticks in which “pressed in this frame” is true, counted from 1: none, one or several. */
   readonly counted: readonly number[]
-  /** The tick that takes it where it is kept until one does, and the frame of that tick; 0 and −1 while there is none. */
+  /**
+   * The tick that takes it where it is kept until one does, and the frame of that tick; 0 and −1 while there is none.
+   */
   readonly kept: number
   readonly keptIn: number
 }

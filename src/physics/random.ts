@@ -5,7 +5,10 @@
 export class Random {
   private state: number
 
-  /** `seed`: a whole number in 0 … 2³² − 1, mixed so that two seeds a Weyl step apart do not give the same sequence, shifted. */
+  /**
+   * `seed`: a whole number in 0 … 2³² − 1, mixed so that two seeds a Weyl step apart do not give the same sequence,
+   * shifted.
+   */
   constructor(seed: number) {
     this.state = mixed(seed)
   }

@@ -21,7 +21,10 @@ export interface Outcome {
   time: number
 }
 
-/** A run of an experiment, one frame at a time: `simulate` is a loop around it, and a game loop calls it as a `DrivenRun`. */
+/**
+ * A run of an experiment, one frame at a time: `simulate` is a loop around it, and a game loop calls it as a
+ * `DrivenRun`.
+ */
 export class Run implements FrameContext {
   /** The block: `s` [m] and `v` [m/s] are its state. */
   readonly motion: Motion

@@ -26,12 +26,16 @@ export interface FrameContext {
   drawnS: number
   /** Takes `count` steps of `motion.dt` seconds, after `before` earlier ones since the time in `stateTime`. */
   step(count?: number, before?: number): void
-  /** Takes one step of `motion.dt` seconds, or up to where the stopping rule ends it; leaves its length in `motion.dt`. */
+  /**
+   * Takes one step of `motion.dt` seconds, or up to where the stopping rule ends it; leaves its length in `motion.dt`.
+   */
   stepToEvent(): void
   /** Takes a snapshot of the run; each call of `restore` returns to it. */
   save(): void
   restore(): void
-  /** Set by a policy that tries steps: a try's length [s], its error and its tolerance [m]; and whether it is accepted. */
+  /**
+   * Set by a policy that tries steps: a try's length [s], its error and its tolerance [m]; and whether it is accepted.
+   */
   tried: number
   error: number
   allowed: number

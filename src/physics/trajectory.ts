@@ -8,7 +8,10 @@ export interface Trajectory {
   frames: number
   /** Wall-clock time [s]. */
   time: Float64Array
-  /** The game's time [s]: `time` as the game measures its frames, times the time scale. Where nothing is said of both, `time`. */
+  /**
+   * The game's time [s]: `time` as the game measures its frames, times the time scale. Where nothing is said of both,
+   * `time`.
+   */
   gameTime: Float64Array
   /**
    * The time that the physics state stands at [s]: behind `gameTime` under `fixed` and `capped`, unrelated under `per-frame`.

@@ -13,7 +13,9 @@ const titles: Readonly<Record<Kind, string>> = {
   simulate: 'simulate, ten thousand frames: time of a frame',
 }
 
-/** Slices of 20 ms and more, so that the processor clock is not too coarse; more of them where there is only one pair. */
+/**
+ * Slices of 20 ms and more, so that the processor clock is not too coarse; more of them where there is only one pair.
+ */
 const careful: Care = { rounds: 41, atLeast: 20, warming: 200 }
 const mixed: Care = { ...careful, rounds: 15, warming: 60 }
 const hasty: Care = { rounds: 3, atLeast: 0.5, warming: 5 }

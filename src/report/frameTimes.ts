@@ -7,7 +7,9 @@ import type { Care } from './timing/rounds.ts'
 import { timed, trial } from './timing/trials.ts'
 import { framing, runEverything } from './timing/works.ts'
 
-/** What one process finds out about a scene and a method: beside the handwritten loop, alone or after everything else. */
+/**
+ * What one process finds out about a scene and a method: beside the handwritten loop, alone or after everything else.
+ */
 export interface LoopTimes {
   scene: string
   integrator: string

@@ -1,11 +1,16 @@
 import type { SliderRange } from '../physics/index.ts'
 
-/** Where a number stands on a slider's own scale: the number, or where the slider is logarithmic its decimal logarithm. */
+/**
+ * Where a number stands on a slider's own scale: the number, or where the slider is logarithmic its decimal logarithm.
+ */
 export function placeOf({ scale }: SliderRange, value: number): number {
   return scale ? Math.log10(value) : value
 }
 
-/** The number at a place of that scale: on a logarithmic one with a single digit, so that three steps a decade are 1, 2, 5. */
+/**
+ * The number at a place of that scale: on a logarithmic one with a single digit, so that three steps a decade are 1, 2,
+ * 5.
+ */
 export function valueAt({ scale }: SliderRange, place: number): number {
   // Rounded to what the slider can say, so that 0.1 + 0.2 is 0.3.
   return scale ? Number((10 ** place).toPrecision(1)) : Number(place.toPrecision(12))

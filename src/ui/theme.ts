@@ -1,6 +1,9 @@
 const followers = new Set<() => void>()
 
-/** Calls back when the page's colours may have changed, for canvases and others that read them once. Returns a function that unsubscribes. */
+/**
+ * Calls back when the page's colours may have changed, for canvases and others that read them once. Returns a function
+ * that unsubscribes.
+ */
 export function onThemeChange(callback: () => void): () => void {
   const observer = new MutationObserver(callback)
   observer.observe(document.documentElement, { attributeFilter: ['data-theme'] })

@@ -10,7 +10,9 @@ import type { Projection } from './projection.ts'
 import { viewOf } from './scenes.ts'
 import { slackBox } from './spring.ts'
 
-/** The slope's angle at its foot: a dashed horizontal, an arc and the value. Answers with the room of the words there. */
+/**
+ * The slope's angle at its foot: a dashed horizontal, an arc and the value. Answers with the room of the words there.
+ */
 export function drawAngle(
   context: CanvasRenderingContext2D,
   picture: Picture,

@@ -15,7 +15,9 @@ export interface SceneView {
   readonly icon: string
   /** The direction in which s grows, in words. */
   readonly forwards: string
-  /** What moves is a ball, which falls beside a post; labels stand in a column. Otherwise a block slides on the ground. */
+  /**
+   * What moves is a ball, which falls beside a post; labels stand in a column. Otherwise a block slides on the ground.
+   */
   readonly falls: boolean
   /** A spring is drawn from the upper end of the slope to the block. */
   readonly spring?: true

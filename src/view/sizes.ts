@@ -6,7 +6,10 @@ import { viewOf } from './scenes.ts'
 export interface Sizes {
   /** The side of a block. */
   readonly block: number
-  /** Below the track, one lane of dots a runner: how deep the first lies, how far each further one is, and where they end. */
+  /**
+   * Below the track, one lane of dots a runner: how deep the first lies, how far each further one is, and where they
+   * end.
+   */
   readonly lanes: { readonly first: number; readonly gap: number; readonly depth: number }
   /** The height of a label. */
   readonly row: number

@@ -16,7 +16,10 @@ import { endOf, rowAt } from './timeline.ts'
 
 /** A canvas that shows pictures. It has no clock and no loop: each call of `draw` draws one picture whole. */
 export class Stage {
-  /** While true the camera keeps still, so that nothing jumps under a drag; when it is set back to false the next draw fits again. */
+  /**
+   * While true the camera keeps still, so that nothing jumps under a drag; when it is set back to false the next draw
+   * fits again.
+   */
   frozen = false
 
   private readonly context: CanvasRenderingContext2D
@@ -61,7 +64,9 @@ export class Stage {
     paint(this.context, picture, this.shown!, this.palette!, this.backdrop, forces)
   }
 
-  /** To be called when the canvas's size, the page's colours or its fonts have changed: asking at every frame is slow. */
+  /**
+   * To be called when the canvas's size, the page's colours or its fonts have changed: asking at every frame is slow.
+   */
   refresh(): void {
     this.made = undefined
     forgetWidths()
@@ -72,7 +77,10 @@ export class Stage {
     return this.shown?.handles ?? []
   }
 
-  /** The parameter change that dragging a handle to a point (CSS px) means, rounded to a sensible step for the scale on screen. */
+  /**
+   * The parameter change that dragging a handle to a point (CSS px) means, rounded to a sensible step for the scale on
+   * screen.
+   */
   drag(id: HandleId, x: number, y: number): Readonly<Record<string, number>> {
     return this.shown ? dragged(id, { x, y }, this.shown.picture, this.shown.layout) : {}
   }

@@ -70,7 +70,9 @@ export function lanesOf(
   })
 }
 
-/** All full batches in the order of time: whoever draws them in this order gets the same pixels, at once or by and by. */
+/**
+ * All full batches in the order of time: whoever draws them in this order gets the same pixels, at once or by and by.
+ */
 export function batchesOf(lanes: readonly Lane[]): Batch[] {
   const timeOf = ({ lane, last }: Batch) => lane.trajectory.time[last]!
   return lanes

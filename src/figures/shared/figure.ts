@@ -73,7 +73,10 @@ export interface Figure<V = ControlValues> {
   idle?(values: V): readonly string[]
   /** What follows from a change of the values besides what was changed. */
   follow?(values: V, before: V): V
-  /** An element that takes the place of the pictures once the figure is alive: its name, what defines it, its properties. */
+  /**
+   * An element that takes the place of the pictures once the figure is alive: its name, what defines it, its
+   * properties.
+   */
   readonly hosted?: {
     readonly tag: string
     define(): Promise<unknown>

@@ -118,7 +118,9 @@ export interface NamedArrow {
   readonly dashed?: true
 }
 
-/** Draws arrows that are long enough to be seen, and writes at their tips. With one of them `lit`, the others are faint. */
+/**
+ * Draws arrows that are long enough to be seen, and writes at their tips. With one of them `lit`, the others are faint.
+ */
 export function drawNamedArrows(
   context: CanvasRenderingContext2D,
   arrows: readonly NamedArrow[],
@@ -160,7 +162,9 @@ interface LongSlope {
   readonly at: (uphill: number) => Point
 }
 
-/** Where a slope of an angle [°] lies that shows `metres` uphill of the mark, its foot so high over the lower edge [px]. */
+/**
+ * Where a slope of an angle [°] lies that shows `metres` uphill of the mark, its foot so high over the lower edge [px].
+ */
 export function longSlope(
   { width, height }: Pick<DrawingSurface, 'width' | 'height'>,
   angle: number,

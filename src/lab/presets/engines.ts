@@ -19,7 +19,7 @@ export interface EngineChoice {
 
 const GROUP = 'Your engine'
 
-/** As different as engines are, six of them. */
+/** Six engines, as different as they come. */
 const compared = [unityFixedUpdate, godot, unreal, bevy, phaser, gameMaker]
 
 const comparison: EngineChoice = {

@@ -13,8 +13,9 @@ import type { LabState } from './state.ts'
  *
  *     scene=half-pipe&radius=3&duration=20&runners=30;60/rk4
  *
- * `scene` is a scene's id, `duration` is in seconds, `timeScale` a number, `runners` is described in runnerText.ts, and every other key is a
- * parameter of the scene. A number is a decimal or a fraction. What is left out is as in the opening of that scene.
+ * `scene` is a scene's id, `duration` is in seconds, `timeScale` a number, `runners` is described in runnerText.ts, and
+ * every other key is a parameter of the scene. A number is a decimal or a fraction. What is left out is as in the opening
+ * of that scene.
  */
 export function writeAddress(state: LabState): string {
   const start = openingOf(state.scene)

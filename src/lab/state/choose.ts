@@ -4,7 +4,7 @@ import type { RunnerState } from './state.ts'
 
 /**
  * The value of a runner's frame clock or timestep after another was chosen from the menu: the options that both have
- * keep their values, the others are at their initial ones. A bound that was none is none to keep.
+ * keep their values, the others are at their initial ones. An optional bound that was off is not carried over.
  */
 export function choose<Of extends 'frames' | 'timestep'>(
   of: Of,

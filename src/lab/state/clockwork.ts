@@ -7,7 +7,10 @@ export interface Clockwork {
   readonly time: Float64Array
   /** Under `fixed`, the length of its steps [s]; else undefined. */
   readonly step: number | undefined
-  /** Under `tolerance`, the steps that were tried; undefined where they are too many to be seen, and else. */
+  /**
+   * Under `tolerance`, the steps that were tried; undefined where they are too many to be seen, and under other
+   * policies.
+   */
   readonly tries: Tries | undefined
   /** Under `fixed`, what is left of the frame time for later steps: gameTime − stateTime − lost [s]. Else zeros. */
   readonly accumulator: Float64Array

@@ -12,9 +12,8 @@
  *     ~-xgBAAmB
  *
  * After `~` stand the usual frame time (here 16 671) and, for each frame, how much longer it is (0, 0, 19), as VLQ numbers
- * in base 64: from the
- * lowest to the highest, each character has five bits of the number and a sixth that is set while more follow; the lowest
- * bit of all is the sign. It takes two or three characters a frame.
+ * in base 64: from the lowest to the highest, each character has five bits of the number and a sixth that is set while more
+ * follow; the lowest bit of all is the sign. It takes two or three characters a frame.
  */
 
 const TICKS = 10_000

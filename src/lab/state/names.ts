@@ -4,8 +4,8 @@ import { shownNumber } from '../../chart/numbers.ts'
 import type { RunnerState } from './state.ts'
 
 /**
- * A short name for each runner: its frames, or where these don't tell all runners apart, as much more (or else) of what
- * differs as it takes.
+ * A short name for each runner: its frames, or where these don't tell all runners apart, as much of what differs as it
+ * takes.
  */
 export function namesOf(runners: readonly RunnerState[]): string[] {
   const parts = runners.map((runner) => [

@@ -20,11 +20,11 @@ import type { RunnerState } from './state.ts'
  *
  *     10;30/semi-implicit-euler/clamped;jitter(fps:30,amount:0.5,seed:1)/fixed(step:1/60)/rk4
  *
- * A number is a steady frame rate that is measured exactly. Any other word is the id of a frame clock, a timestep, an integrator or a stopping
- * rule, with its options in brackets; the items of a list stand with `+` between, or as durationCode.ts writes them
- * where that is shorter. The id of an engine stands for its timestep, integrator and stopping rule. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is
- * left out is at the default of an experiment, so the example begins with velocity Verlet, located stops and a variable
- * step at 10 fps.
+ * A number is a steady frame rate that is measured exactly. Any other word is the id of a frame clock, a timestep, an
+ * integrator or a stopping rule, with its options in brackets; the items of a list stand with `+` between, or as
+ * durationCode.ts writes them where that is shorter. The id of an engine stands for its timestep, integrator and stopping
+ * rule. `hidden` hides the runner, `look(3)` gives it the fourth colour instead of its turn's. What is left out is at the
+ * default of an experiment, so the example begins with velocity Verlet, located stops and a variable step at 10 fps.
  */
 
 /** A list may take so much of an address as it stands [characters]. */
@@ -65,7 +65,9 @@ function writeMethod({ timestep, integrator, stopping }: RunnerState): string[] 
   return words
 }
 
-/** An entry of a list with its options, as `fixed(step:1/60)`. Options that can be left out and are as they begin are. */
+/**
+ * An entry of a list with its options, as `fixed(step:1/60)`. Options that can be left out and are as they begin are.
+ */
 function call(
   chosen: RunnerState['frames'] | RunnerState['timestep'],
   list: readonly { readonly id: string; readonly options: Options }[],

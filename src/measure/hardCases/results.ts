@@ -22,7 +22,10 @@ export interface Result {
 /** Results by case and claim. */
 export type Results = Readonly<Record<string, Readonly<Record<string, Result>>>>
 
-/** What was measured of every claim. `npm run hard-cases` writes these files, and tests compare them with what they measure. */
+/**
+ * What was measured of every claim. `npm run hard-cases` writes these files, and tests compare them with what they
+ * measure.
+ */
 export const hardCaseResults: Results = {
   ...friction,
   ...frames,

@@ -71,7 +71,9 @@ function curve({ curve, spots }: Drawn, chosen: DiagramSpot | undefined) {
   </g>`
 }
 
-/** A ring around a runner’s point. Its mark is at a place of its own, so that of several rings in one each can be told. */
+/**
+ * A ring around a runner’s point. Its mark is at a place of its own, so that of several rings in one each can be told.
+ */
 function ring({ x, y, point }: DiagramSpot) {
   const { paletteIndex, apart } = point.runner!
   const turn = ((1 + paletteIndex) * Math.PI) / 4

@@ -36,7 +36,9 @@ export function leastError(curves: readonly DiagramCurve[]): number {
   return Math.min(...errors.map(({ error }) => error))
 }
 
-/** Whose run a point is: “Velocity Verlet at 30 steps a second”, “Runge–Kutta 8 to 1 nm a second”, “30 fps in the lab”. */
+/**
+ * Whose run a point is: “Velocity Verlet at 30 steps a second”, “Runge–Kutta 8 to 1 nm a second”, “30 fps in the lab”.
+ */
 export function pointName({ method, by, setting, runner }: DiagramPoint): string {
   const { label } = integrators.find(({ id }) => id === method)!
   if (runner) return `${runner.name} in the lab, ${label}`
@@ -105,7 +107,9 @@ export function diagramAdvice(
   </div>`
 }
 
-/** The diagram in numbers: a row for each rate, tolerance and runner of the lab, the error and the cost of each method. */
+/**
+ * The diagram in numbers: a row for each rate, tolerance and runner of the lab, the error and the cost of each method.
+ */
 export function diagramTable(
   curves: readonly DiagramCurve[],
   runners: readonly DiagramPoint[],

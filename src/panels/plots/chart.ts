@@ -8,7 +8,9 @@ import type { Palette } from '../../view/palette.ts'
 import { EXACT } from './curves.ts'
 import type { Curve, PlotDrawing } from './curves.ts'
 
-/** The part of a chart of that size in which there are curves; the labels of the axes are to its left and below it [px]. */
+/**
+ * The part of a chart of that size in which there are curves; the labels of the axes are to its left and below it [px].
+ */
 export function boxOf(width: number, height: number): Box {
   return { left: 66, top: 8, right: width - 14, bottom: height - 24 }
 }

@@ -61,7 +61,7 @@ function choiceField(
   </label>`
 }
 
-/** More of them nobody reads in a field, and writing them takes a while at every change. */
+/** Nobody reads more of them in a field, and writing them takes a while at every change. */
 const MOST_TYPED = 2000
 
 /** Frame times, the only lists there are: how many, and unfolded all of them, with blanks or commas between. */

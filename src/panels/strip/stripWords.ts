@@ -4,7 +4,9 @@ import { rowAt } from '../../view/timeline.ts'
 import { clockworkOf } from '../../lab/state/clockwork.ts'
 import type { SimulatedRunner } from '../../lab/state/simulation.ts'
 
-/** What is to be said of a runner's time beside its ticks; '' where physics keeps up with the wall, or is to be slower. */
+/**
+ * What is to be said of a runner's time beside its ticks; '' where physics keeps up with the wall, or is to be slower.
+ */
 export function noteOf({ name, trajectory }: SimulatedRunner, now: number): string {
   const { lostTime, experiment, time, gameTime, stateTime } = trajectory
   if (lostTime > 0) return `${name}: ${seconds(lostTime)} lost`

@@ -111,7 +111,10 @@ function expand(v: number, mu: number, gravity: number, slope: number, curvature
   }
 }
 
-/** The step for which the series holds: coefficient n is taken as at most M/rⁿ, with the least r that the later ones allow. */
+/**
+ * The step for which the series holds: coefficient n is taken as at most M/rⁿ, with the least r that the later ones
+ * allow.
+ */
 function stepLength(): number {
   const largest = Math.max(Math.abs(speeds[0]!), Math.abs(speeds[1]!))
   let growth = -Infinity

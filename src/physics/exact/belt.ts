@@ -96,7 +96,9 @@ function phaseFrom(belt: Belt, { s, v }: State): Phase {
 }
 const RELEASE = 8 * Number.EPSILON
 
-/** When a block that slides has the belt's speed: the first x > 0 with v₀ cos x + (a/ω) sin x = u, by x = 2 atan τ [s]. */
+/**
+ * When a block that slides has the belt's speed: the first x > 0 with v₀ cos x + (a/ω) sin x = u, by x = 2 atan τ [s].
+ */
 function timeToBelt({ speed, stiffness }: Belt, v: number, a: number): number {
   const omega = Math.sqrt(stiffness)
   if (omega === 0) {

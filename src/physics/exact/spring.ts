@@ -83,7 +83,10 @@ function firstStop(position: number, speed: number, slip: number, a: number, ome
   return { stop: position + (slip * way) / omega, stopTime: Math.atan2(speed, offset) / omega }
 }
 
-/** The number of half-swings until friction holds a block whose drive is F at the first stop and 2f less at each later one. */
+/**
+ * The number of half-swings until friction holds a block whose drive is F at the first stop and 2f less at each later
+ * one.
+ */
 function halfSwingsUntilHeld(F: number, friction: number, hold: number, terms: number): number {
   if (frictionHolds(F, hold, terms)) return 0
   const n = Math.ceil((F - hold) / (2 * friction))

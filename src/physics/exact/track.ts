@@ -22,7 +22,9 @@ export function exactTrack(track: Track, parameters: TrackParameters): ExactMoti
   const phases = [slide.next()]
   let found = 0
 
-  /** Computes the phases up to a time. Returns it, or for a periodic motion its equivalent in the first period, or NaN. */
+  /**
+   * Computes the phases up to a time. Returns it, or for a periodic motion its equivalent in the first period, or NaN.
+   */
   function reach(t: number): number {
     while (t >= slide.time && turns.length < 3 && phases.length < MOST_PHASES) {
       starts.push(slide.time)

@@ -4,7 +4,9 @@ const MOST_ITERATIONS = 39
 // Two rounding errors of a number of size 1.
 const ROUNDING = 2 * Number.EPSILON
 
-/** The implicit midpoint rule (Gauss, one stage): the slope half-way, at a mean velocity that solves its own equation. */
+/**
+ * The implicit midpoint rule (Gauss, one stage): the slope half-way, at a mean velocity that solves its own equation.
+ */
 export const implicitMidpoint = {
   id: 'implicit-midpoint',
   label: 'Implicit midpoint',

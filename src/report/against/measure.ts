@@ -8,10 +8,14 @@ import { timed, timedScenes, trial } from '../timing/trials.ts'
 import type { TimedScene } from '../timing/trials.ts'
 import type * as worksModule from '../timing/works.ts'
 
-/** What is compared: one scene and method in a process of its own, or all of them in a process that has run everything. */
+/**
+ * What is compared: one scene and method in a process of its own, or all of them in a process that has run everything.
+ */
 export type Kind = 'ramp' | 'half-pipe' | 'mixed' | 'simulate'
 
-/** Processor time for a frame [ns], and medians of the ratios of slices of the same round; null: there is no such loop. */
+/**
+ * Processor time for a frame [ns], and medians of the ratios of slices of the same round; null: there is no such loop.
+ */
 export interface Compared {
   scene: string
   integrator: string

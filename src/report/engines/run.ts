@@ -56,7 +56,10 @@ export function runOurs(
   })
 }
 
-/** What was seen of a run: positions [m] at the end, at nine tenths of it and after being watched; how far off the slope. */
+/**
+ * What was seen of a run: positions [m] at the end, at nine tenths of it and after being watched; how far off the
+ * slope.
+ */
 export interface Seen {
   readonly position: number
   readonly late: number

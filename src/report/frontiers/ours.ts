@@ -14,7 +14,10 @@ import { median, timeRounds } from '../timing/rounds.ts'
 import type { Care, TimedWork } from '../timing/rounds.ts'
 import type { FrontierProblem } from './problems.ts'
 
-/** Steps a second: from as few as a method of high order can do with to far beyond any screen, about half as many again each. */
+/**
+ * Steps a second: from as few as a method of high order can do with to far beyond any screen, about half as many again
+ * each.
+ */
 export const rates: readonly number[] = Array.from({ length: 13 }, (_, i) => 2 ** i).flatMap(
   (power) => [2 * power, 3 * power],
 )

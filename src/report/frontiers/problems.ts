@@ -1,6 +1,8 @@
 import type { Experiment, Parameters } from '../../physics/index.ts'
 
-/** An experiment on which cost is compared with error, and the same right-hand side as any solver of equations wants it. */
+/**
+ * An experiment on which cost is compared with error, and the same right-hand side as any solver of equations wants it.
+ */
 export interface FrontierProblem {
   readonly id: string
   readonly label: string

@@ -39,7 +39,9 @@ export class HandwrittenClock {
 /** Only a step that has lost its stability gets this far [m]. */
 export const FAR = 1e24
 
-/** The slip direction for a speed and, at rest, for the tangential acceleration, of which static friction holds `hold`. */
+/**
+ * The slip direction for a speed and, at rest, for the tangential acceleration, of which static friction holds `hold`.
+ */
 export function slipDirection(v: number, tangential: number, hold: number): -1 | 0 | 1 {
   if (v !== 0) return v > 0 ? 1 : -1
   return Math.abs(tangential) <= hold ? 0 : tangential > 0 ? 1 : -1

@@ -30,7 +30,10 @@ const engineInfo = recordOf({
   setup: text,
 })
 
-/** A scene and a method: a call of `run.frame` for each step beside the loop that somebody would write by hand for just this. */
+/**
+ * A scene and a method: a call of `run.frame` for each step beside the loop that somebody would write by hand for just
+ * this.
+ */
 const frameTime = recordOf({
   scene: text,
   integrator: text,
@@ -208,10 +211,16 @@ export type Controlled = Shaped<typeof controlled>
 export type Target = Shaped<typeof target>
 export type Diagram = Shaped<typeof diagram>
 
-/** Everything that `npm run report` measured: the content of `public/report/report.json`. Times in ns, the rest in SI units. */
+/**
+ * Everything that `npm run report` measured: the content of `public/report/report.json`. Times in ns, the rest in SI
+ * units.
+ */
 export type Report = Shaped<typeof shape>
 
-/** What is wrong with a report, a line for every wrong place: “engineTests.runs[3].error: -1 is not a number of 0 or more”. */
+/**
+ * What is wrong with a report, a line for every wrong place: “engineTests.runs[3].error: -1 is not a number of 0 or
+ * more”.
+ */
 export function reportProblems(value: unknown): string[] {
   const problems: string[] = []
   shape.check(value, 'report', problems)

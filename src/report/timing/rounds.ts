@@ -1,6 +1,9 @@
 import type { Timing } from '../schema/index.ts'
 
-/** Something whose time is taken: `prepare` is not counted, `run` is; its result is used, so that the compiler can't remove it. */
+/**
+ * Something whose time is taken: `prepare` is not counted, `run` is; its result is used, so that the compiler can't
+ * remove it.
+ */
 export interface TimedWork {
   /** How many units of work a run is: times are given for one of them. */
   readonly units: number

@@ -5,7 +5,10 @@ import type { Env } from './book.ts'
 import { codeHtml, sourceHtml, takeHomeHtml } from './code.ts'
 import { hardCasesHtml } from './hardCases.ts'
 
-/** Fenced blocks: a figure, lines of the project's own source, the take-home files, the hard cases, or code in a language. */
+/**
+ * Fenced blocks: a figure, lines of the project's own source, the take-home files, the hard cases, or code in a
+ * language.
+ */
 export function fences(md: MarkdownIt): void {
   md.renderer.rules.fence = (tokens, index, _options, given) => {
     const env = given as Env

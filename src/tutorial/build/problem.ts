@@ -25,7 +25,10 @@ export class TextError extends Error {
   }
 }
 
-/** “, did you mean …?” with the name that is nearest to a wrong one, or what names there are; empty where there are none. */
+/**
+ * “, did you mean …?” with the name that is nearest to a wrong one, or what names there are; empty where there are
+ * none.
+ */
 export function instead(wrong: string, names: Iterable<string>): string {
   const all = [...names]
   const ranked = all

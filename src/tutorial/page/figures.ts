@@ -45,7 +45,9 @@ export function followLinks(text: HTMLElement): void {
 const ARROWS = ['gravity', 'normal', 'friction', 'sum', 'velocity']
 const COLOURED = ARROWS.map((name) => `.${name}`).join()
 
-/** Pointing at a coloured word, or at a line of code with one in it, highlights its arrow in the figures of the section. */
+/**
+ * Pointing at a coloured word, or at a line of code with one in it, highlights its arrow in the figures of the section.
+ */
 export function highlight(text: HTMLElement): void {
   text.addEventListener('pointerover', ({ target }) => {
     const at = target as Element
