@@ -53,7 +53,7 @@ function accept(motion: Motion): void {
   const relative = v - motion.law.belt
   if (slip > 0 ? relative < 0 : relative > 0) motion.slide(relative > 0 ? 1 : -1)
   if (!isOnPiece && !motion.enterPiece()) motion.end('left-the-track')
-  if (motion.curvature < 0 && motion.isLifted()) motion.end('left-the-track')
+  if (motion.isLifted()) motion.end('left-the-track')
 }
 
 /** Ends a motion that is farther or faster than any real one; returns whether it was. */
