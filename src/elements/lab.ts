@@ -210,7 +210,7 @@ export class SlideLabElement extends SlideLab {
     const lines = problems.length > 0 ? new ExperimentError(problems).message.split('\n') : []
     return html`${
       lines.length > 0
-        ? html`<div class="link-problems" part="message" role="alert">
+        ? html`<div class="refusal" part="message" role="alert">
             <p>The page asks this lab for something that can’t be had, so that stays as it was.</p>
             <ul>
               ${lines.map((line) => html`<li>${line}</li>`)}

@@ -24,7 +24,7 @@ slide-figure-root > slot, .problem { margin: 0; padding: 1em 1.25em }
 :host([theme=light]) [name=caption] { color-scheme: light }
 :host([theme=dark]) [name=caption] { color-scheme: dark }
 @media print {
-  .sheet > :not(slide-stage), .controls, .transport-line, .link-problems { display: none !important }
+  .sheet > :not(slide-stage), .controls, .transport-line, .refusal { display: none !important }
   .below { min-height: 0 !important }
 }
 `

@@ -2,7 +2,6 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import { lessonOf, splitAddress } from './lesson.ts'
 import type { Lesson } from './lesson.ts'
-import { linkProblems } from './notices.ts'
 import { isAddress, isReadable, readAddress, writeAddress } from './state/address.ts'
 import { checked } from './state/check.ts'
 import type { Draft } from './state/check.ts'
@@ -14,12 +13,14 @@ interface Linked extends ReactiveControllerHost {
   readonly state: LabState
   /** What the address lets readers use and see. */
   lesson: Lesson | undefined
-  /** Takes over what an address said, or the opening and what was wrong with the address. */
+  /** Takes over what an address said, or the opening and, after a sentence, what was wrong with the address. */
   open(state: LabState, problem: string): void
 }
 
 /** Browsers refuse to have the address changed at every move of a finger: Safari allows 100 times in 30 s. */
 const PAUSE = 400
+
+const REFUSED = 'This link asks for something that can’t be run. The lab shows its opening instead.'
 
 /** What the browser keeps with an address. */
 interface Kept {
@@ -59,9 +60,6 @@ export class AddressLink implements ReactiveController {
     clearTimeout(this.timer)
     this.timer = undefined
   }
-
-  /** What the page shows of problems with an address. */
-  readonly problems = linkProblems
 
   /** Writes a state into the address: at once, or soon if another was just written. */
   write(state: LabState): void {
@@ -116,7 +114,7 @@ export class AddressLink implements ReactiveController {
       this.host.open(lab ? checked(lab as Draft) : readAddress(rest), '')
     } catch (error) {
       if (!(error instanceof ExperimentError)) throw error
-      this.host.open(opening, error.message)
+      this.host.open(opening, `${REFUSED}\n${error.message}`)
     }
   }
 }

@@ -4,12 +4,13 @@ import { ExperimentError } from '../physics/index.ts'
 import type { Trajectory } from '../physics/index.ts'
 import { freshId } from '../ui/input.ts'
 import type { AddressLink } from './addressLink.ts'
-import { allowed } from './allowed.ts'
 import { EarlyPress } from './earlyPress.ts'
+import { allowed } from './labView.ts'
 import type { LabView, Menus, OpenPanels, Panels } from './labView.ts'
 import { modeButtons, sceneTabs } from './choices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
+import { refusalNotice } from './notices.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
@@ -46,7 +47,7 @@ export abstract class Lab extends LitElement implements LabView {
     simulated: { state: true },
     preset: { state: true },
     selected: { state: true },
-    linkProblem: { state: true },
+    problem: { state: true },
     spoken: { state: true },
     panels: { state: true },
     lesson: { state: true },
@@ -57,7 +58,7 @@ export abstract class Lab extends LitElement implements LabView {
   declare preset: Preset | undefined
   declare selected: number
   declare lesson: Lesson | undefined
-  declare private linkProblem: string
+  declare private problem: string
   /** The picture in words, as it was when it last came to rest. */
   declare private spoken: string
   /** Undefined until it is loaded. */
@@ -75,7 +76,7 @@ export abstract class Lab extends LitElement implements LabView {
   constructor() {
     super()
     this.selected = 0
-    this.linkProblem = ''
+    this.problem = ''
     this.state = opening
     this.spoken = describe(this.simulated, this.playback.time)
     this.playback.subscribe(this, 'write', this.tellLater)
@@ -154,7 +155,9 @@ export abstract class Lab extends LitElement implements LabView {
 
   readonly load = (preset: Preset): void => {
     const before = this.snapshot
-    this.restored({ ...preset.shown, preset })
+    const { state, problem } = preset.shown
+    // One that can't be run may leave the lab as it is.
+    this.restored({ state, problem, preset: state === before.state ? before.preset : preset })
     this.history.add(before, this.snapshot)
     this.playback.toEnd()
     this.address?.push(this.state)
@@ -170,14 +173,14 @@ export abstract class Lab extends LitElement implements LabView {
   }
 
   private get snapshot(): Snapshot {
-    const { state, preset, linkProblem } = this
-    return { state, preset, problem: linkProblem }
+    const { state, preset, problem } = this
+    return { state, preset, problem }
   }
 
   private restored({ state, preset, problem }: Snapshot): void {
     this.state = state
     this.preset = preset
-    this.linkProblem = problem
+    this.problem = problem
   }
 
   protected override async scheduleUpdate(): Promise<void> {
@@ -246,7 +249,7 @@ export abstract class Lab extends LitElement implements LabView {
       handles: lesson?.handles,
     }
     return html`
-      ${this.address?.problems(this.linkProblem)}
+      ${refusalNotice(this.problem)}
       <div class="sheet" part="sheet">
         ${
           compact || lesson?.locked

@@ -1,3 +1,4 @@
+import { nothing } from 'lit'
 import type { ReactiveControllerHost } from 'lit'
 import type { ForceDrawing } from '../view/forces.ts'
 import type { PictureForces } from '../view/picture.ts'
@@ -56,3 +57,8 @@ export interface Panels {
 }
 
 export type OpenPanels = (lab: LabView & ReactiveControllerHost & HTMLElement) => Panels
+
+/** A part of a lab, unless a lesson takes its control from readers. */
+export function allowed<Part>({ lesson }: Pick<LabView, 'lesson'>, control: string, part: Part) {
+  return lesson && !lesson.may(control) ? nothing : part
+}

@@ -2,13 +2,14 @@ import { html, nothing } from 'lit'
 import { icon } from '../ui/icons.ts'
 import type { LabView } from './labView.ts'
 
-/** What was wrong with the link that led here, a line for each problem. */
-export function linkProblems(message: string) {
-  if (!message) return nothing
-  return html`<div class="link-problems" role="alert">
-    <p>This link asks for something that can’t be run. The lab shows its opening instead.</p>
+/** Why the lab does not show what was asked for: a sentence, then a line for each problem. */
+export function refusalNotice(problem: string) {
+  if (!problem) return nothing
+  const [sentence, ...lines] = problem.split('\n')
+  return html`<div class="refusal" role="alert">
+    <p>${sentence}</p>
     <ul>
-      ${message.split('\n').map((line) => html`<li>${line}</li>`)}
+      ${lines.map((line) => html`<li>${line}</li>`)}
     </ul>
   </div>`
 }

@@ -1,6 +1,6 @@
 import { html } from 'lit'
 import { iconButton } from '../ui/icons.ts'
-import { allowed } from './allowed.ts'
+import { allowed } from './labView.ts'
 import type { LabView, Options } from './labView.ts'
 
 /** What concerns the lab as a whole: going back, named experiments, taking it elsewhere. */
@@ -68,7 +68,12 @@ function menu(
     class="presets"
     aria-label=${name}
     ?data-empty=${!options}
-    @change=${(event: Event) => choose(Number((event.target as HTMLSelectElement).value))}
+    @change=${({ target }: Event) => {
+      const index = Number((target as HTMLSelectElement).value)
+      // It shows what the lab has taken, which may refuse.
+      ;(target as HTMLSelectElement).selectedIndex = chosen + 1
+      choose(index)
+    }}
   >
     <option value="-1" disabled .selected=${chosen < 0}>${name}</option>
     ${options?.(chosen)}

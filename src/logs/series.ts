@@ -1,4 +1,4 @@
-import { readCell } from './cell.ts'
+import { readCell } from './lines.ts'
 import type { Meaning } from './columns.ts'
 import { perSecond, unitBySize, unitNamed, units } from './units.ts'
 import type { Unit } from './units.ts'

@@ -1,7 +1,6 @@
-import { readCell } from './cell.ts'
 import { meaningOf, processColumns } from './columns.ts'
 import type { Meaning } from './columns.ts'
-import { cellsOf, linesOf, separatorOf } from './lines.ts'
+import { cellsOf, linesOf, readCell, separatorOf } from './lines.ts'
 import type { Line } from './lines.ts'
 import { Series } from './series.ts'
 import type { Candidate } from './series.ts'

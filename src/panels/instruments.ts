@@ -1,6 +1,6 @@
 import { html } from 'lit'
 import { forceDrawing } from '../view/forces.ts'
-import { allowed } from '../lab/allowed.ts'
+import { allowed } from '../lab/labView.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'

@@ -1,7 +1,7 @@
-import { Resistance } from './heat.ts'
 import { frictionHolds } from './holds.ts'
 import { FAR } from './law.ts'
 import type { Law } from './law.ts'
+import { Resistance } from './resistance.ts'
 import { C10, C12, C14, C4, C6, C8, S11, S13, S3, S5, S7, S9, SinCos } from './trigonometry.ts'
 
 /** Called after each evaluation of the acceleration, at `atS` and `atV`. */

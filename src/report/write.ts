@@ -6,8 +6,7 @@ import { reportProblems } from './schema/index.ts'
 import type { Report } from './schema/index.ts'
 import { targets } from './targets.ts'
 import { benchmarksFile, benchmarksPage } from './text/benchmarks.ts'
-import { formatted } from './text/formatted.ts'
-import { rounded } from './text/rounded.ts'
+import { formatted } from './text/markdown.ts'
 
 const folder = 'public/report'
 
@@ -46,4 +45,21 @@ export async function writeReport(
   }
   for (const { label, figure, met } of report.targets)
     tell(`${met ? 'met   ' : 'missed'}  ${label}: ${figure.toPrecision(3)}`)
+}
+
+/** These stay as they are: runs can be repeated and positions compared from them. */
+const exact = new Set(['position', 'truth', 'parameters', 'duration', 'setting'])
+
+/** Rounds values to five digits, more than their accuracy. */
+export function rounded<T>(value: T): T {
+  return tidy(value) as T
+}
+
+function tidy(value: unknown): unknown {
+  if (typeof value === 'number') return Number(value.toPrecision(5))
+  if (Array.isArray(value)) return value.map(tidy)
+  if (typeof value !== 'object' || value === null) return value
+  return Object.fromEntries(
+    Object.entries(value).map(([key, each]) => [key, exact.has(key) ? each : tidy(each)]),
+  )
 }

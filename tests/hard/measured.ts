@@ -18,8 +18,9 @@ declare module 'vitest' {
   }
 }
 
-/** Of this test file, by case and claim: of all runs the one that came nearest to its bound. */
-const results: Record<string, Record<string, Result>> = {}
+/** By test file, case and claim: of all runs the one that came nearest to its bound. */
+const ofFiles: Record<string, Record<string, Record<string, Result>>> = {}
+const ofThisFile = () => (ofFiles[expect.getState().testPath!] ??= {})
 
 /**
  * Holds a figure to the bound of a claim, and remembers it for the page.
@@ -40,7 +41,7 @@ export function measured(
     .join(', ')
   const figure = `${hardCase}, ${claim}: ${value} of ${words || 'the run'}`
   expect(isWithin(value, bound), `${figure} is not ${JSON.stringify(bound)}`).toBe(true)
-  const ofCase = (results[hardCase] ??= {})
+  const ofCase = (ofThisFile()[hardCase] ??= {})
   const last = ofCase[claim]
   const runs = (last?.runs ?? 0) + 1
   const isWorst = !last || nearness(value, bound) > nearness(last.value, last.bound)
@@ -57,6 +58,7 @@ export function published(name: string, ...longCases: string[]): void {
   // With fewer samples the figures are others.
   if (samples(100) < 100) return
   it(`these figures are the ones on the page, in results/${name}.json`, ({ task }) => {
+    const results = ofThisFile()
     // Every claim is measured, as far as this run goes.
     const left = isLong ? [] : longCases
     const whole = Object.entries(results).filter(([hardCase]) => !left.includes(hardCase))

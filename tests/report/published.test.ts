@@ -10,8 +10,7 @@ import { ours } from '../../src/report/engines/index.ts'
 import type { Report } from '../../src/report/schema/index.ts'
 import { targets } from '../../src/report/targets.ts'
 import { benchmarksFile, benchmarksPage } from '../../src/report/text/benchmarks.ts'
-import { rounded } from '../../src/report/text/rounded.ts'
-import { writeReport } from '../../src/report/write.ts'
+import { rounded, writeReport } from '../../src/report/write.ts'
 
 const root = join(import.meta.dirname, '../..')
 const folder = join(root, 'public/report')

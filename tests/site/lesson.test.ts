@@ -53,7 +53,7 @@ test('a link for a lesson is made by ticking, and leaves just that', async () =>
 
 test('a name that there is not is told of', async () => {
   const { page } = await openLab('controls=angel&hide=spread')
-  expect(await page.locator('.link-problems').innerText()).toMatch(/controls: there is no “angel”/)
+  expect(await page.locator('.refusal').innerText()).toMatch(/controls: there is no “angel”/)
 })
 
 test('a frame that is locked has playing and the time', async () => {

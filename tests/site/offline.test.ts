@@ -3,9 +3,9 @@ import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { chromium } from 'playwright-core'
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import { afterAll, beforeAll, expect, inject, onTestFinished, test } from 'vitest'
+import { connected } from './page.ts'
 
 /* The whole page in one file, opened as a reader does who has nothing but that file, and no network. */
 
@@ -13,7 +13,6 @@ const root = join(import.meta.dirname, '../..')
 const site = mkdtempSync(join(tmpdir(), 'any-frame-rate-site-'))
 const stick = mkdtempSync(join(tmpdir(), 'any-frame-rate-offline-'))
 const file = join(stick, 'renamed and moved.html')
-let browser: Browser
 
 /** Writes the one file from the page that all site tests look at. */
 function build(to: string, published = './'): void {
@@ -27,21 +26,21 @@ function build(to: string, published = './'): void {
   cpSync(join(site, 'offline.html'), to)
 }
 
-beforeAll(async () => {
+beforeAll(() => {
   cpSync(inject('folder'), site, { recursive: true })
   build(file)
-  browser = await chromium.connect(inject('browser'))
 })
 
-afterAll(async () => {
-  await browser.close()
+afterAll(() => {
   rmSync(site, { recursive: true, force: true })
   rmSync(stick, { recursive: true, force: true })
 })
 
 /** The file in a browser without a network, and all that it says on the console or asks for. */
 async function openFile(hash = '', path = file) {
-  const context = await browser.newContext({
+  const context = await (
+    await connected()
+  ).newContext({
     offline: true,
     viewport: { width: 1280, height: 800 },
   })

@@ -1,6 +1,6 @@
 import { chromium } from 'playwright-core'
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core'
-import { afterAll, beforeAll, expect, inject, onTestFinished } from 'vitest'
+import { inject, onTestFinished } from 'vitest'
 
 type PageOptions = {
   /** Relative to the site, e.g. `embed.html#…`. */
@@ -29,18 +29,13 @@ type OpenPage = {
   close: () => Promise<void>
 }
 
-let browser: Browser
+let connection: Promise<Browser> | undefined
 
-beforeAll(async () => {
-  browser = await chromium.connect(inject('browser'))
-})
+/** The browser: one connection for all files of a worker, which ends with it. */
+export const connected = (): Promise<Browser> =>
+  (connection ??= chromium.connect(inject('browser')))
 
-afterAll(() => browser.close())
-
-/**
- * Opens a page of the site in a fresh context, loaded and with its fonts. A page opened in a test is
- * closed with it; one opened in a hook is closed with its file.
- */
+/** Opens a page of the site in a fresh context, loaded and with its fonts. It is closed with its test. */
 export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
   const {
     path = '',
@@ -51,9 +46,9 @@ export async function openPage(options: PageOptions = {}): Promise<OpenPage> {
     ...others
   } = options
   const settings: BrowserContextOptions = { viewport: { width, height }, ...others }
-  const context = await browser.newContext(settings)
+  const context = await (await connected()).newContext(settings)
   const close = () => context.close()
-  if (expect.getState().currentTestName !== undefined) onTestFinished(close)
+  onTestFinished(close)
 
   const page = await context.newPage()
   const problems = watch(page)

@@ -1,5 +1,7 @@
 import { vi } from 'vitest'
 import type { Box, Point } from '../../src/chart/geometry.ts'
+import { SvgMatrix } from '../../src/tutorial/still/matrix.ts'
+import { SvgPath } from '../../src/tutorial/still/svgPath.ts'
 import type { Palette } from '../../src/view/palette.ts'
 
 /** A word as it stands on a paper, and a straight line. */
@@ -55,18 +57,10 @@ export const plainPalette = {
   arrows: {},
 } as unknown as Palette
 
-/** What a browser has and Node has not, as far as a picture's words and lines need it. */
+/** What a browser has and Node has not: a picture keeps some of its paths, so they are those of the pictures in the page. */
 export function stubPaths(): void {
-  const path = class {
-    rect(): void {}
-    arc(): void {}
-    lineTo(): void {}
-    roundRect(): void {}
-    closePath(): void {}
-    addPath(): void {}
-  }
-  vi.stubGlobal('Path2D', path)
-  vi.stubGlobal('DOMMatrix', path)
+  vi.stubGlobal('Path2D', SvgPath)
+  vi.stubGlobal('DOMMatrix', SvgMatrix)
 }
 
 function sizeOf(font: string): number {

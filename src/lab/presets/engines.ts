@@ -37,6 +37,7 @@ const comparison: EngineChoice = {
             ...{ frames: state.runners[selected]!.frames, paletteIndex, hidden: false },
           })),
         }),
+      state,
     ),
 }
 
@@ -46,11 +47,16 @@ export const engineChoices: readonly EngineChoice[] = [
   ...engines.map(({ label, method, does, leavesOut, source }) => ({
     label,
     presetOf: (state: LabState) =>
-      preset(GROUP, label, `${does} ${leavesOut} Source: ${source}.`, () =>
-        checked({
-          ...state,
-          runners: state.runners.map((each) => ({ ...each, ...method, engine: label })),
-        }),
+      preset(
+        GROUP,
+        label,
+        `${does} ${leavesOut} Source: ${source}.`,
+        () =>
+          checked({
+            ...state,
+            runners: state.runners.map((each) => ({ ...each, ...method, engine: label })),
+          }),
+        state,
       ),
   })),
 ]

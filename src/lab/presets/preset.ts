@@ -13,30 +13,42 @@ export interface Preset {
   readonly shown: Shown
 }
 
-/** A lab, and why it is not the one that was asked for, if that can't be run. */
+/** A lab, and why it is not the one that was asked for, if that can't be run: a sentence, then a line for each problem. */
 interface Shown {
   readonly state: LabState
   readonly problem: string
 }
 
-/** A preset that is put together when it is first asked for. */
-export function preset(group: string, label: string, watch: string, make: () => LabState): Preset {
+/**
+ * A preset that is put together when it is first asked for.
+ *
+ * @param otherwise what a lab shows if that can't be run: the lab as it is, if it is asked for there
+ */
+export function preset(
+  group: string,
+  label: string,
+  watch: string,
+  make: () => LabState,
+  otherwise = opening,
+): Preset {
   let shown: Shown | undefined
   return {
     group,
     label,
     watch,
     get shown() {
-      return (shown ??= attempt(make))
+      return (shown ??= attempt(label, make, otherwise))
     },
   }
 }
 
-function attempt(make: () => LabState): Shown {
+function attempt(label: string, make: () => LabState, otherwise: LabState): Shown {
   try {
     return { state: make(), problem: '' }
   } catch (error) {
     if (!(error instanceof ExperimentError)) throw error
-    return { state: opening, problem: error.message }
+    const instead = otherwise === opening ? 'shows its opening instead' : 'stays as it is'
+    const problem = `${label} can’t be run here. The lab ${instead}.\n${error.message}`
+    return { state: otherwise, problem }
   }
 }

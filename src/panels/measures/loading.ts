@@ -24,7 +24,7 @@ export function loadInto(lab: LabView, { experiment, label, words }: Measured): 
     i === lab.selected ? { ...runner, ...own, hidden: false } : runner,
   )
   const next: LabState = { scene, parameters, duration, timeScale, runners }
-  lab.load(preset('', label, words, () => checked(next)))
+  lab.load(preset('', label, words, () => checked(next), state))
 }
 
 /** Shows a scene in a lab with one method for all of its runners, as one change. */
@@ -37,7 +37,7 @@ export function loadMethod(
   const { state } = lab.simulated
   const shown = scene === state.scene ? state : openingOf(scene)
   const runners = state.runners.map((runner) => ({ ...runner, ...method }))
-  lab.load(preset('', label, words, () => checked({ ...shown, runners })))
+  lab.load(preset('', label, words, () => checked({ ...shown, runners }), state))
 }
 
 /** Has the page's own lab show it, by way of the address; in another's page, the lab in a page of its own. */

@@ -3,7 +3,7 @@ import { repeat } from 'lit/directives/repeat.js'
 import { defaults, limits } from '../../physics/index.ts'
 import type { Quantity } from '../../ui/quantityControl.ts'
 import '../../ui/quantityControl.ts'
-import { allowed } from '../../lab/allowed.ts'
+import { allowed } from '../../lab/labView.ts'
 import type { LabView } from '../../lab/labView.ts'
 import { openingOf } from '../../lab/state/opening.ts'
 

@@ -1,5 +1,5 @@
 import type { Piece } from '../track.ts'
-import { cardinal } from './cardinal.ts'
+import { cardinal } from '../trigonometry.ts'
 import { crossing, evaluate, stay } from './phase.ts'
 import type { Phase } from './phase.ts'
 import { slideStraight } from './straight.ts'

@@ -1,7 +1,7 @@
 import { ExactSum } from '../exactSum.ts'
 import { frictionHolds } from '../holds.ts'
 import type { ExactMotion, State } from '../state.ts'
-import { cardinal } from './cardinal.ts'
+import { cardinal } from '../trigonometry.ts'
 
 /** The belt and the block on it, with forces per mass; friction is μ g [m/s²]. */
 interface Belt {

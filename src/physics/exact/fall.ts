@@ -1,5 +1,5 @@
 import type { ExactMotion, State } from '../state.ts'
-import { cardinal } from './cardinal.ts'
+import { cardinal } from '../trigonometry.ts'
 
 // From here on cosh x and sinh x are eˣ/2 to the last bit.
 const STEADY = 20

@@ -1,8 +1,7 @@
 import type { ExactMotion } from '../state.ts'
 import { frictionHolds } from '../holds.ts'
 import { straight } from '../track.ts'
-import { sinCosDegrees } from '../trigonometry.ts'
-import { cardinal } from './cardinal.ts'
+import { cardinal, sinCosDegrees } from '../trigonometry.ts'
 import { exactTrack } from './track.ts'
 
 /**

@@ -1,3 +1,5 @@
+import { sizeText } from '../../chart/magnitudes.ts'
+import { plain } from '../../chart/numbers.ts'
 import { simulate } from '../../physics/index.ts'
 import type { Experiment, FramesChoice } from '../../physics/index.ts'
 import type { EngineRun, EngineScene } from '../schema/index.ts'
@@ -91,23 +93,15 @@ const STILL = 1e-4
 export function notes(scene: EngineScene, { position, late, lifted, later }: Seen): string | null {
   if (!Number.isFinite(position)) return 'ended as no number'
   const said: string[] = []
-  if (Math.abs(lifted) > 0.1) said.push(`${length(lifted)} off the slope`)
+  if (Math.abs(lifted) > 0.1) said.push(`${sizeText(Math.abs(lifted))} off the slope`)
   const moves = Math.abs(position - late) > STILL
   if (scene.rests && moves)
     said.push(
-      `still moves: ${length(position - late)} in the last ${seconds(0.1 * scene.duration)}`,
+      `still moves: ${sizeText(Math.abs(position - late))} in the last ${plain(0.1 * scene.duration)}\u202fs`,
     )
-  if (!scene.rests && !moves) said.push(`at rest at ${length(position)}, where nothing holds it`)
+  if (!scene.rests && !moves)
+    said.push(`at rest at ${sizeText(Math.abs(position))}, where nothing holds it`)
   if (scene.rests && !moves && later !== null && Math.abs(later - position) > STILL)
-    said.push(`creeps ${length(later - position)} while it should rest`)
+    said.push(`creeps ${sizeText(Math.abs(later - position))} while it should rest`)
   return said.length > 0 ? said.join('; ') : null
-}
-
-function length(metres: number): string {
-  const size = Math.abs(metres)
-  return size < 0.1 ? `${(1000 * size).toPrecision(2)} mm` : `${size.toPrecision(3)} m`
-}
-
-function seconds(duration: number): string {
-  return `${Number(duration.toPrecision(2))} s`
 }

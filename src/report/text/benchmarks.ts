@@ -1,6 +1,5 @@
 import type { Report } from '../schema/index.ts'
-import { formatted } from './formatted.ts'
-import { markdownTable } from './markdown.ts'
+import { formatted, markdownTable } from './markdown.ts'
 import {
   cheapestWays,
   controlledWays,

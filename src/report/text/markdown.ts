@@ -1,3 +1,5 @@
+import { format, resolveConfig } from 'prettier'
+
 /** A table as Markdown; all columns but the first are set to the right. */
 export function markdownTable(
   head: readonly string[],
@@ -21,4 +23,9 @@ export function plainTable(head: readonly string[], rows: readonly (readonly str
         .join('  '),
     )
     .join('\n')
+}
+
+/** A text as the project's formatter would leave it. `file`, from the project's root, says what kind of text it is. */
+export async function formatted(text: string, file: string): Promise<string> {
+  return format(text, { ...(await resolveConfig(file)), filepath: file })
 }
