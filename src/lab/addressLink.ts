@@ -2,6 +2,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit'
 import { ExperimentError } from '../physics/index.ts'
 import { lessonOf, splitAddress } from './lesson.ts'
 import type { Lesson } from './lesson.ts'
+import { refusalNotice } from './notices.ts'
 import { isAddress, isReadable, readAddress, writeAddress } from './state/address.ts'
 import { checked } from './state/check.ts'
 import type { Draft } from './state/check.ts'
@@ -60,6 +61,8 @@ export class AddressLink implements ReactiveController {
     clearTimeout(this.timer)
     this.timer = undefined
   }
+
+  readonly refusal = refusalNotice
 
   /** Writes a state into the address: at once, or soon if another was just written. */
   write(state: LabState): void {

@@ -10,7 +10,6 @@ import type { LabView, Menus, OpenPanels, Panels } from './labView.ts'
 import { modeButtons, sceneTabs } from './choices.ts'
 import { LabHistory } from './labHistory.ts'
 import type { Snapshot } from './labHistory.ts'
-import { refusalNotice } from './notices.ts'
 import { OpeningRun } from './openingRun.ts'
 import { Playback } from './playback/playback.ts'
 import { shortcut, transport } from './transport.ts'
@@ -249,7 +248,7 @@ export abstract class Lab extends LitElement implements LabView {
       handles: lesson?.handles,
     }
     return html`
-      ${refusalNotice(this.problem)}
+      ${(this.address ?? panels)?.refusal?.(this.problem)}
       <div class="sheet" part="sheet">
         ${
           compact || lesson?.locked

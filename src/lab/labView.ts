@@ -46,6 +46,8 @@ export interface LabView {
 export interface Panels {
   /** What to watch in the preset that is shown. */
   note?(): unknown
+  /** Why the lab does not show what was asked for. */
+  readonly refusal?: (problem: string) => unknown
   /** What stands below the transport. */
   below(): unknown
   /** Lets blocks glide to their new places. Until it loads, blocks jump. */

@@ -4,7 +4,7 @@ import { allowed } from '../lab/labView.ts'
 import { Glide } from '../lab/glide.ts'
 import type { OpenPanels } from '../lab/labView.ts'
 import { atNow } from '../lab/playback/atNow.ts'
-import { presetNote } from '../lab/notices.ts'
+import { presetNote, refusalNotice } from '../lab/notices.ts'
 import { ForcesSwitch } from './forces/forcesPanel.ts'
 import { stepInspector } from './inspector/stepInspector.ts'
 import { menus } from './menus.ts'
@@ -23,6 +23,7 @@ export const instruments: OpenPanels = (lab) => {
   return {
     glide: new Glide(lab),
     note: () => presetNote(lab),
+    refusal: refusalNotice,
     menus,
     forces: () => forces.vectors(),
     forceDrawing,

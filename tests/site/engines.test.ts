@@ -31,6 +31,27 @@ test('the menu of engines sets the runners, says what was left out, and is undon
   expect(problems).toEqual([])
 })
 
+test('an engine whose run would be too long changes nothing, says so, and the menu names none', async () => {
+  const lab = await openLab('duration=100000&runners=1')
+  const { page, problems } = lab
+  const menu = page.getByRole('combobox', { name: 'Your engine', exact: true })
+  await expect.poll(() => menu.locator('option').count()).toBe(engines.length + 2)
+  const before = await lab.state()
+  await menu.selectOption({ label: 'Godot 4' })
+  const alert = page.getByRole('alert')
+  await alert.waitFor()
+  expect(await alert.innerText()).toMatch(
+    /^“Godot 4” can’t be run here. The lab stays as it is.\s.* asks for /s,
+  )
+  expect(await lab.state()).toEqual(before)
+  expect(await menu.locator('option:checked').innerText()).toBe('Your engine')
+  // It goes with the next thing that can be done.
+  await menu.selectOption({ label: 'Quake' })
+  await expect.poll(() => alert.count()).toBe(0)
+  expect(await menu.locator('option:checked').innerText()).toBe('Quake')
+  expect(problems).toEqual([])
+})
+
 test('a runner’s own menu makes it an engine’s, in its link too, until its method is changed', async () => {
   const { page, address, state, problems } = await openLab('runners=45;45')
   const row = page.locator('slide-runner-row').nth(1)

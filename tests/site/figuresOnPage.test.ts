@@ -1,26 +1,30 @@
 import { expect, test } from 'vitest'
+import { some } from '../samples.ts'
 import { figures } from '../../src/figures/index.ts'
 import { openPage } from './page.ts'
 
 // At these widths of the page; the last figure is another element, which says for itself how much room it takes.
-test.each([390, 768, 1440])('at %d px a figure that comes alive moves nothing', async (width) => {
-  const { page, problems } = await openPage({ width })
-  const heights = () =>
-    page.$$eval('slide-figure', (all) =>
-      all.map((each) => [each.getAttribute('name'), (each as HTMLElement).offsetHeight]),
-    )
-  const before = await heights()
-  const names = before.map(([name]) => name)
-  expect(new Set(names)).toEqual(new Set(figures.map(({ id }) => id)))
-  for (const name of names) {
-    const figure = page.locator(`slide-figure[name="${name}"]`)
-    await figure.scrollIntoViewIfNeeded()
-    await figure.and(page.locator('[live]')).waitFor()
-  }
-  const own = ([name]: readonly unknown[]) => name !== 'speed-against-error'
-  expect((await heights()).filter(own)).toEqual(before.filter(own))
-  expect(problems).toEqual([])
-})
+test.each(some([390, 768, 1440], 0, 2))(
+  'at %d px a figure that comes alive moves nothing',
+  async (width) => {
+    const { page, problems } = await openPage({ width })
+    const heights = () =>
+      page.$$eval('slide-figure', (all) =>
+        all.map((each) => [each.getAttribute('name'), (each as HTMLElement).offsetHeight]),
+      )
+    const before = await heights()
+    const names = before.map(([name]) => name)
+    expect(new Set(names)).toEqual(new Set(figures.map(({ id }) => id)))
+    for (const name of names) {
+      const figure = page.locator(`slide-figure[name="${name}"]`)
+      await figure.scrollIntoViewIfNeeded()
+      await figure.and(page.locator('[live]')).waitFor()
+    }
+    const own = ([name]: readonly unknown[]) => name !== 'speed-against-error'
+    expect((await heights()).filter(own)).toEqual(before.filter(own))
+    expect(problems).toEqual([])
+  },
+)
 
 test('on a phone the outcome keeps clear of the buttons over it', async () => {
   const { page } = await openPage({ width: 390 })

@@ -96,17 +96,20 @@ async function axeFindsNothing(page: Page): Promise<void> {
   expect(await violationsOn(page)).toEqual([])
 }
 
-test.each([320, 390, 640, 768, 1024, 1440])('%d px wide, nothing is cut off', async (width) => {
-  const { page, goTo } = await openLab('', { width, hasTouch: width < 800 })
-  for (const address of ['#', '#scene=run-out', '#scene=spring', '#angle=95&b=1', EIGHT]) {
-    await goTo(address)
-    await expect
-      .poll(() => page.locator('slide-runner-row').count())
-      .toBe(address === EIGHT ? 8 : 3)
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
-    expect(await overflowing(page), address).toEqual([])
-  }
-})
+test.each(some([320, 390, 640, 768, 1024, 1440], 0, 2, 4))(
+  '%d px wide, nothing is cut off',
+  async (width) => {
+    const { page, goTo } = await openLab('', { width, hasTouch: width < 800 })
+    for (const address of ['#', '#scene=run-out', '#scene=spring', '#angle=95&b=1', EIGHT]) {
+      await goTo(address)
+      await expect
+        .poll(() => page.locator('slide-runner-row').count())
+        .toBe(address === EIGHT ? 8 : 3)
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
+      expect(await overflowing(page), address).toEqual([])
+    }
+  },
+)
 
 const EIGHT =
   '#runners=10/fixed(step:1/60)/semi-implicit-euler;jitter(fps:30,amount:0.5,seed:1)/rk4;' +
@@ -150,7 +153,7 @@ test('the large number is of frame rates only where the blocks differ in nothing
   await expect.poll(() => label.innerText()).toBe('frame-rate spread')
 })
 
-test.each([320, 390, 768, 1440])(
+test.each(some([320, 390, 768, 1440], 0, 2))(
   'at %i px none of the buttons moves the picture',
   async (width) => {
     const { page } = await openLab('', { width })

@@ -256,20 +256,23 @@ test.each(some(['light', 'dark'] as const, 1))(
   },
 )
 
-test.each([320, 390, 768, 1440])('nothing is wider than a page of %i px', async (width) => {
-  const lab = await openPlots('runners=10;15;24;30;60;90;120;144', { width })
-  expect(await lab.page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
-  const cut = await lab.page
-    .locator('slide-lab-plots')
-    .evaluate((plots) =>
-      [...plots.querySelectorAll('.value, h3, figcaption p, button')]
-        .filter(
-          (each) =>
-            each.checkVisibility() &&
-            each.scrollWidth > each.clientWidth + 1 &&
-            getComputedStyle(each).display !== 'inline',
-        )
-        .map((each) => each.textContent),
-    )
-  expect(cut).toEqual([])
-})
+test.each(some([320, 390, 768, 1440], 0, 2))(
+  'nothing is wider than a page of %i px',
+  async (width) => {
+    const lab = await openPlots('runners=10;15;24;30;60;90;120;144', { width })
+    expect(await lab.page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
+    const cut = await lab.page
+      .locator('slide-lab-plots')
+      .evaluate((plots) =>
+        [...plots.querySelectorAll('.value, h3, figcaption p, button')]
+          .filter(
+            (each) =>
+              each.checkVisibility() &&
+              each.scrollWidth > each.clientWidth + 1 &&
+              getComputedStyle(each).display !== 'inline',
+          )
+          .map((each) => each.textContent),
+      )
+    expect(cut).toEqual([])
+  },
+)

@@ -48,7 +48,7 @@ function attempt(label: string, make: () => LabState, otherwise: LabState): Show
   } catch (error) {
     if (!(error instanceof ExperimentError)) throw error
     const instead = otherwise === opening ? 'shows its opening instead' : 'stays as it is'
-    const problem = `${label} can’t be run here. The lab ${instead}.\n${error.message}`
+    const problem = `“${label}” can’t be run here. The lab ${instead}.\n${error.message}`
     return { state: otherwise, problem }
   }
 }
