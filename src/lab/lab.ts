@@ -155,8 +155,9 @@ export abstract class Lab extends LitElement implements LabView {
   readonly load = (preset: Preset): void => {
     const before = this.snapshot
     const { state, problem } = preset.shown
-    // One that can't be run may leave the lab as it is.
-    this.restored({ state, problem, preset: state === before.state ? before.preset : preset })
+    // What can't be run leaves the lab as it is, or at its opening, where the preset's note says what to see.
+    const stays = problem !== '' && state !== opening
+    this.restored({ state, problem, preset: stays ? before.preset : preset })
     this.history.add(before, this.snapshot)
     this.playback.toEnd()
     this.address?.push(this.state)

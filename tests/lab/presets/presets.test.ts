@@ -67,7 +67,11 @@ describe('the hard cases', () => {
     expect(refused.length).toBeGreaterThan(0)
     for (const label of refused) {
       const { shown } = presets.find((each) => each.label === label)!
-      expect(shown.problem).toMatch(/^parameters\./)
+      expect(shown.problem).toMatch(
+        new RegExp(
+          `^“${label}” can’t be run here. The lab shows its opening instead.\nparameters\\.`,
+        ),
+      )
       expect(shown.state).toBe(opening)
     }
   })
