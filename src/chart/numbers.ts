@@ -52,7 +52,7 @@ export function seconds(value: number): string {
   const size = Math.abs(value)
   if (size === 0 || size >= 0.1) return `${fixed(value, 2)}${thin}s`
   if (size >= 1e-4) return withUnit(value * 1e3, 'ms')
-  if (size >= 1e-7) return withUnit(value * 1e6, 'µs')
+  if (size >= 1e-6) return withUnit(value * 1e6, 'µs')
   return withUnit(value * 1e9, 'ns')
 }
 

@@ -94,7 +94,8 @@ export class Motion {
 
   /**
    * dv/dt at a distance along the track and a speed [m/s²], for integrators. It is so short that V8 inlines it
-   * into every integrator and boxes no arguments; the law itself reads and writes fields.
+   * into every integrator and boxes no arguments; the law itself reads and writes fields, and is too long to be inlined
+   * here, which would make this too long for integrators.
    */
   acceleration(s: number, v: number): number {
     this.atS = s
@@ -110,7 +111,7 @@ export class Motion {
       this.atA = this.steady
       return
     }
-    const { atS: s, atV: v, law } = this
+    const { atS: s, atV: v } = this
     if (this.curvature !== 0) {
       // For angles below π/4 this is SinCos.find written out: a call would take as long as the arithmetic.
       const angle = this.slope - this.curvature * (s - this.at)
@@ -120,13 +121,14 @@ export class Motion {
         const sineTail = S3 + z * (S5 + z * (S7 + z * S9) + z * w * (S11 + z * S13))
         const cosineTail = C4 + z * (C6 + z * C8) + z * w * (C10 + z * (C12 + z * C14))
         const head = 1 - 0.5 * z
-        this.tangential = law.gravity * (angle + angle * z * sineTail)
-        this.weight = law.gravity * (head + (1 - head - 0.5 * z + w * cosineTail))
+        this.tangential = this.law.gravity * (angle + angle * z * sineTail)
+        this.weight = this.law.gravity * (head + (1 - head - 0.5 * z + w * cosineTail))
       } else this.turn()
     }
-    if (!this.slipHeld) this.slide(v > law.belt ? 1 : v < law.belt ? -1 : 0)
+    if (!this.slipHeld) this.slide(v > this.law.belt ? 1 : v < this.law.belt ? -1 : 0)
     // #region law
-    const drive = this.tangential - law.stiffness * s - law.drag * v * Math.abs(v)
+    const { stiffness, drag } = this.law
+    const drive = this.tangential - stiffness * s - drag * v * Math.abs(v)
     const press = this.weight + this.curvature * (v * v)
     this.atA = drive - this.friction * press
     // #endregion
