@@ -126,8 +126,8 @@ export class Motion {
       } else this.turn()
     }
     if (!this.slipHeld) this.slide(v > this.law.belt ? 1 : v < this.law.belt ? -1 : 0)
-    // #region law
     const { stiffness, drag } = this.law
+    // #region law
     const drive = this.tangential - stiffness * s - drag * v * Math.abs(v)
     const press = this.weight + this.curvature * (v * v)
     this.atA = drive - this.friction * press
@@ -244,7 +244,6 @@ export class Motion {
   /** Ends the sliding where the block is. */
   stop(): void {
     this.v = this.law.belt
-    this.known = false
   }
 
   /** Ends the motion: neither the rest of the step nor any later step changes it. */
