@@ -1,5 +1,12 @@
 import { describe, expect, it } from 'vitest'
-import { coast, dampings, decay, decayRate, follow } from '../../src/physics/damping.ts'
+import {
+  coast,
+  dampings,
+  decay,
+  decayRate,
+  follow,
+  framesOfCoasting,
+} from '../../src/physics/damping.ts'
 import { values } from '../../src/tutorial/facts/index.ts'
 
 /** Some roundings of a relative size of 2⁻⁵³ each. */
@@ -50,6 +57,18 @@ describe('damping', () => {
     expect(values.coastTrue()).toBe(1)
     expect(values.kept30()).toBeCloseTo(0.74, 3)
     expect(values.kept60()).toBeCloseTo(0.547, 3)
+  })
+
+  it.each(dampings)('$id: each frame damps first and moves then, from 0 on', ({ id, factor }) => {
+    const [k, v, fps] = [5, 4, 20]
+    const left = factor(k, 1 / fps)
+    expect(framesOfCoasting(id, { k, v, fps, frames: 0 })).toEqual([0])
+    const path = framesOfCoasting(id, { k, v, fps, frames: 3 })
+    expect(path).toHaveLength(4)
+    // A geometric series: v/f (r + r² + …).
+    const sums = [0, left, left + left ** 2, left + left ** 2 + left ** 3]
+    for (const [frame, x] of path.entries())
+      expect(Math.abs(x - (v / fps) * sums[frame]!)).toBeLessThanOrEqual(ULPS * x)
   })
 
   it.each([5, 30, 144])('coasts to the same place at %i frames a second', (fps) => {
