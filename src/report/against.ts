@@ -89,7 +89,7 @@ async function bundleWorks(checkout: string, name: string): Promise<string> {
     publicDir: false,
     logLevel: 'error',
     resolve: {
-      alias: { './physics/index.ts': physics },
+      alias: [{ find: /^.*\/physics\/index\.ts$/, replacement: physics }],
     },
     build: {
       ssr: resolve('src/report/timing/works.ts'),

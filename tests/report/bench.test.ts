@@ -1,6 +1,8 @@
 import { execFileSync } from 'node:child_process'
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { expect, test } from 'vitest'
+import { expect, onTestFinished, test } from 'vitest'
 import { integrators } from '../../src/physics/index.ts'
 import { timedScenes } from '../../src/report/timing/trials.ts'
 import { isLong } from '../samples.ts'
@@ -9,7 +11,7 @@ function bench(...options: string[]): string {
   return execFileSync('npm', ['run', '--silent', 'bench', '--', ...options], {
     cwd: join(import.meta.dirname, '../..'),
     encoding: 'utf8',
-    stdio: ['ignore', 'pipe', 'ignore'],
+    stdio: ['ignore', 'pipe', 'pipe'],
   })
 }
 
@@ -47,4 +49,19 @@ test.runIf(isLong)(
 
 test('npm run bench -- --against refuses what is no checkout', () => {
   expect(() => bench('--against', 'tests')).toThrow()
+})
+
+test('npm run bench -- --against runs the other checkout’s physics, and not its own twice', () => {
+  const other = mkdtempSync(join(tmpdir(), 'any-frame-rate-other-'))
+  onTestFinished(() => {
+    rmSync(other, { recursive: true })
+  })
+  mkdirSync(join(other, 'src/physics'), { recursive: true })
+  writeFileSync(
+    join(other, 'src/physics/index.ts'),
+    `export const [createRun, simulate] = []
+    export const [integrators, scenes, stoppings, timesteps] = [[], [], [], []]
+    throw new Error('Other physics.')`,
+  )
+  expect(() => bench('--against', other, '--quick')).toThrow(/Other physics\./)
 })
