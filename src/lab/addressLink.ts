@@ -62,6 +62,7 @@ export class AddressLink implements ReactiveController {
     this.timer = undefined
   }
 
+  /** What the page shows of an address that can’t be run: of a lab with an address it may be needed before its panels are. */
   readonly refusal = refusalNotice
 
   /** Writes a state into the address: at once, or soon if another was just written. */

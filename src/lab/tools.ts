@@ -68,10 +68,11 @@ function menu(
     class="presets"
     aria-label=${name}
     ?data-empty=${!options}
-    @change=${({ target }: Event) => {
-      const index = Number((target as HTMLSelectElement).value)
-      // It shows what the lab has taken, which may refuse.
-      ;(target as HTMLSelectElement).selectedIndex = chosen + 1
+    @change=${(event: Event) => {
+      const select = event.target as HTMLSelectElement
+      const index = Number(select.value)
+      // It names what the lab shows, which may refuse a choice.
+      select.value = String(chosen)
       choose(index)
     }}
   >
