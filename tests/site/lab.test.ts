@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
 import { some } from '../samples.ts'
 import { violationsOn } from './axe.ts'
-import { openLab } from './labPage.ts'
+import { openLab, openLabOverText } from './labPage.ts'
 
 test('the lab opens on a picture that is already wrong, without a problem', async () => {
   const { page, problems, spread, runner, time } = await openLab()
@@ -171,3 +171,15 @@ test.each(some([320, 390, 768, 1440], 0, 2))(
     }
   },
 )
+
+test.each([
+  [390, 844],
+  [360, 740],
+])('on a phone of %i by %i px the first screen has the picture', async (width, height) => {
+  const { page } = await openLabOverText('', { width, height })
+  const { top, bottom } = await page
+    .locator('slide-stage')
+    .evaluate((stage) => stage.getBoundingClientRect())
+  // The blocks stand above the middle: the lower third is ground.
+  expect(top + (2 / 3) * (bottom - top)).toBeLessThan(height)
+})
