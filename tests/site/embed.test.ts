@@ -47,6 +47,7 @@ test('there is no script or style in the page itself, and the page around it sho
 test.each([
   [560, 315, ''],
   [480, 270, '#runners=45/godot;144/unity-update'],
+  [390, 640, ''],
 ])('in a frame of %d × %d the transport is in view, and a picture', async (width, height, link) => {
   const { page } = await openPage({ path: `embed.html${link}`, width, height })
   const play = (await page.getByRole('button', { name: 'Play' }).boundingBox())!
