@@ -44,7 +44,7 @@ export function workProblems(experiment: ResolvedExperiment, whole: boolean): Pr
   if (evaluations > limits.evaluations)
     problems.push({
       path: 'duration',
-      message: `${duration} s asks for about ${count(Number(evaluations.toPrecision(2)))} evaluations of the acceleration, more than ${count(limits.evaluations)}, to locate up to ${count(Number(located.toPrecision(2)))} reversals; shorten it, slow the oscillation or choose another stopping rule`,
+      message: `${duration} s asks for about ${about(evaluations)} evaluations of the acceleration, more than ${count(limits.evaluations)}, to locate up to ${about(located)} reversals; shorten it, slow the oscillation or choose another stopping rule`,
     })
   return problems
 }
@@ -74,8 +74,15 @@ function reversals(parameters: Parameters, duration: number): number {
   return Math.min((omega * duration) / Math.PI, lessened > 0 ? drive / lessened + 1 : Infinity)
 }
 
+/** A count, rounded up: what is more than a limit reads so. */
 function count(x: number): string {
-  return Math.round(x)
+  return Math.ceil(x)
     .toString()
     .replace(/\B(?=(\d{3})+$)/g, '\u202f')
+}
+
+/** Its first two digits, rounded up as well. */
+function about(x: number): string {
+  const unit = 10 ** Math.max(0, Math.ceil(x).toString().length - 2)
+  return count(unit * Math.ceil(x / unit))
 }

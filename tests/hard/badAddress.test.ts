@@ -121,7 +121,8 @@ describe('mutated addresses', () => {
     check(0.2, lists, ([state, fields, duration, words]) => {
       const runner = state.runners.length - 1
       const expected = fields.map(([, path]) => path)
-      let address = writeAddress({ ...state, duration: 0.123 })
+      // So short, and no faster than its frames, any of them can be run.
+      let address = writeAddress({ ...state, duration: 0.123, timeScale: 1 })
       if (!address.includes('runners=')) return
       if (words.length > 0) {
         // The runners stand last, and the last word of a kind is the one that counts.

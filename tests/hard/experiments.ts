@@ -183,5 +183,8 @@ function affordable(experiment: ResolvedExperiment): ResolvedExperiment {
   // A clock's count of frames may begin high, and steps with it, which only a shorter run's own length bounds, if at all.
   while (duration > 1e-9 && work({ ...experiment, duration }).steps > 100 * MOST_STEPS)
     duration /= 2
-  return { ...experiment, duration }
+  const cut = { ...experiment, duration }
+  // A frame that is snapped to a display lasts a refresh, however short the run is.
+  const isTooMuch = experiment.frames.delta === 'snapped' && work(cut).steps > 100 * MOST_STEPS
+  return isTooMuch ? { ...cut, frames: { ...cut.frames, delta: 'rounded' } } : cut
 }

@@ -42,7 +42,7 @@ test.runIf(isLong)(
     expect(printed.match(/^simulate, ten thousand frames/gm)).toHaveLength(1)
     // Its scenes by all methods, three rows for themselves and the two worst; each with a ratio.
     const rows = timedScenes.length * integrators.length + 5
-    expect(printed.match(/^\S.*, .* [nµ]s .* \d\.\d{3} /gm)).toHaveLength(rows)
+    expect(printed.match(/^\S.*, .*\s[nµ]s\s.*\s\d\.\d{3}\s/gm)).toHaveLength(rows)
     expect(printed).not.toMatch(/NaN|undefined|Infinity/)
   },
 )

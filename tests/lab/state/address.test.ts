@@ -143,9 +143,11 @@ function randomState(random: () => number): LabState {
   const pick = <T>(list: readonly T[]): T => list[Math.floor(random() * list.length)]!
   let state = changed(opening, { kind: 'scene', scene: pick(scenes).id })
   const names = Object.keys(state.parameters).filter((name) => !/^(position|radius)$/.test(name))
-  for (const name of names)
-    if (random() < 0.5)
-      state = changed(state, { kind: 'parameters', values: { [name]: pick([random(), 2, 1 / 3]) } })
+  for (const name of names) {
+    // No radius is below a millimetre.
+    const values = { [name]: pick([0.001 + random(), 2, 1 / 3]) }
+    if (random() < 0.5) state = changed(state, { kind: 'parameters', values })
+  }
   if (random() < 0.5) state = changed(state, { kind: 'duration', duration: 5 * random() })
   while (random() < 0.5 && state.runners.length < 8) state = changed(state, { kind: 'add' })
   while (random() < 0.3 && state.runners.length > 1)
