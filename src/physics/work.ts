@@ -83,6 +83,6 @@ function count(x: number): string {
 
 /** Its first two digits, rounded up as well. */
 function about(x: number): string {
-  const unit = 10 ** Math.max(0, Math.ceil(x).toString().length - 2)
+  const unit = Number(`1e${Math.max(0, Math.ceil(x).toString().length - 2)}`)
   return count(unit * Math.ceil(x / unit))
 }
