@@ -47,7 +47,6 @@ test('there is no script or style in the page itself, and the page around it sho
 test.each([
   [560, 315, ''],
   [480, 270, '#runners=45/godot;144/unity-update'],
-  [390, 640, ''],
 ])('in a frame of %d × %d the transport is in view, and a picture', async (width, height, link) => {
   const { page } = await openPage({ path: `embed.html${link}`, width, height })
   const play = (await page.getByRole('button', { name: 'Play' }).boundingBox())!
@@ -58,6 +57,15 @@ test.each([
   expect(stage.y).toBeGreaterThan(0)
   expect(stage.y + stage.height).toBeLessThanOrEqual(play.y)
   expect(await page.evaluate(() => scrollY)).toBe(0)
+})
+
+test('in a frame of 390 × 640 all from the buttons to the clock is in view', async () => {
+  const { page } = await openPage({ path: 'embed.html', width: 390, height: 640 })
+  for (const part of ['.modes .segments', '.spread', 'slide-stage', '.transport .clock']) {
+    const { y, height } = (await page.locator(part).boundingBox())!
+    expect(y, part).toBeGreaterThan(0)
+    expect(y + height, part).toBeLessThanOrEqual(640)
+  }
 })
 
 test('where there are no scripts, a still and a link to the lab’s page', async () => {
