@@ -5,6 +5,7 @@ import { openingView } from '../../src/figures/shared/still.ts'
 import { some } from '../samples.ts'
 import { violationsOn } from './axe.ts'
 import { openFigures } from './figurePage.ts'
+import { framesAsked, outOfSight } from './frames.ts'
 
 const ids = figures.map(({ id }) => id)
 
@@ -144,7 +145,7 @@ test('playing rests off screen, goes on there, and what was paused stays paused'
   await pipe.getByRole('button', { name: 'Play' }).click()
   await expect.poll(() => site.time('flung-out')).toBeGreaterThan(0.2)
   await site.see('falling-ball')
-  await site.page.waitForTimeout(200)
+  await outOfSight(pipe)
   const left = await site.time('flung-out')
   await site.page.waitForTimeout(300)
   expect(await site.time('flung-out')).toBe(left)
@@ -153,6 +154,7 @@ test('playing rests off screen, goes on there, and what was paused stays paused'
   await pipe.getByRole('button', { name: 'Pause' }).click()
   const paused = await site.time('flung-out')
   await site.see('falling-ball')
+  await outOfSight(pipe)
   await pipe.scrollIntoViewIfNeeded()
   await site.page.waitForTimeout(200)
   expect(await site.time('flung-out')).toBe(paused)
@@ -162,18 +164,7 @@ test('playing rests off screen, goes on there, and what was paused stays paused'
 test('nothing asks for frames while nothing moves', async () => {
   const site = await openFigures(ids.slice(0, 4))
   for (const id of ids.slice(0, 4)) await site.see(id)
-  await site.page.waitForTimeout(800)
-  const asked = await site.page.evaluate(async () => {
-    let asked = 0
-    const original = window.requestAnimationFrame
-    window.requestAnimationFrame = (callback) => {
-      asked++
-      return original(callback)
-    }
-    await new Promise((done) => setTimeout(done, 400))
-    return asked
-  })
-  expect(asked).toBe(0)
+  await expect.poll(() => framesAsked(site.page)).toBe(0)
 })
 
 test('the bet: place the flag, run, and be told', async () => {

@@ -1,5 +1,6 @@
 import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
+import { framesAsked } from './frames.ts'
 import { openLab } from './labPage.ts'
 
 type Lab = HTMLElement & { change: (change: object) => string }
@@ -24,8 +25,9 @@ test('the blocks glide to where a button puts them, and end where they belong', 
   const after = await moving.pixels()
   expect(after).not.toEqual(before)
   expect(await setMode(still.page, 'no-delta-time')).toBe(false)
-  await still.page.waitForTimeout(50)
-  await moving.page.waitForTimeout(50)
+  // A picture is drawn in the next frame.
+  await expect.poll(() => framesAsked(still.page)).toBe(0)
+  await expect.poll(() => framesAsked(moving.page)).toBe(0)
   expect(await moving.pixels()).toEqual(await still.pixels())
 })
 
@@ -60,7 +62,8 @@ test('a change that comes in between ends it, and nothing moves afterwards', asy
     const lab = document.querySelector<Lab>('slide-lab')!
     lab.change({ kind: 'parameters', values: { angle: 20 } })
     const gliding = lab.hasAttribute('gliding')
-    await new Promise((resolve) => setTimeout(resolve, 50))
+    // What was asked for before is drawn.
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
     let count = 0
     window.requestAnimationFrame = () => ++count
     await new Promise((resolve) => setTimeout(resolve, 500))

@@ -1,5 +1,6 @@
 import type { Frame, Page } from 'playwright-core'
 import { describe, expect, test } from 'vitest'
+import { scrollThrough } from './frames.ts'
 import { builtElements, openAt, serve, serveSite } from './hosts.ts'
 
 /* embed.html in other people's pages: from another origin, sandboxed, and under a policy that forbids what it can. */
@@ -201,18 +202,6 @@ describe('under a strict Content-Security-Policy', () => {
     )
     await page.goto(address)
     return { ...opened, broken }
-  }
-
-  async function scrollThrough(page: Page): Promise<void> {
-    const { height } = page.viewportSize()!
-    const pages = await page.evaluate(
-      (height) => Math.ceil(document.documentElement.scrollHeight / height),
-      height,
-    )
-    for (let i = 0; i < pages; i++) {
-      await page.evaluate((y) => scrollTo(0, y), i * height)
-      await page.evaluate(() => new Promise(requestAnimationFrame))
-    }
   }
 
   test.each(['', 'embed.html', 'embed.html#angle=200', '404.html'])(

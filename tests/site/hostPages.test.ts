@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from 'vitest'
 import type { SlideFigureElement } from '../../src/elements.ts'
+import { framesAsked } from './frames.ts'
 import { figure, lab, openHost, spread } from './hostPage.ts'
 import { builtElements, labMark, openAt, serve } from './hosts.ts'
 
@@ -137,21 +138,7 @@ test('many on a page: each is its own, and none works when nothing moves', async
     await each.locator('[live]').waitFor()
   }
   await page.locator('slide-lab:not([gliding])').nth(9).waitFor()
-  const asked = await page.evaluate(async () => {
-    const next = requestAnimationFrame
-    const frames = async (count: number) => {
-      for (let i = 0; i < count; i++) await new Promise((done) => next(done))
-    }
-    await frames(30)
-    let asked = 0
-    window.requestAnimationFrame = (callback) => {
-      asked++
-      return next(callback)
-    }
-    await frames(20)
-    return asked
-  })
-  expect(asked).toBe(0)
+  await expect.poll(() => framesAsked(page)).toBe(0)
   expect(problems()).toEqual([])
 })
 

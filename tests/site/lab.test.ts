@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
 import { some } from '../samples.ts'
 import { violationsOn } from './axe.ts'
+import { framesAsked } from './frames.ts'
 import { openLab, openLabOverText } from './labPage.ts'
 
 test('the lab opens on a picture that is already wrong, without a problem', async () => {
@@ -24,14 +25,7 @@ test('the lab opens on a picture that is already wrong, without a problem', asyn
 
 test('nothing moves by itself, and nothing asks for animation frames while nothing moves', async () => {
   const { page } = await openLab()
-  const requests = await page.evaluate(async () => {
-    let count = 0
-    const original = window.requestAnimationFrame
-    window.requestAnimationFrame = (callback) => (count++, original(callback))
-    await new Promise((resolve) => setTimeout(resolve, 500))
-    return count
-  })
-  expect(requests).toBe(0)
+  await expect.poll(() => framesAsked(page)).toBe(0)
 })
 
 test('several labs stand on one page, each with its own state', async () => {

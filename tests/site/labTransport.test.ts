@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest'
+import { outOfSight } from './frames.ts'
 import { openLab } from './labPage.ts'
 
 test('play goes from the start to the end and stops there, pause holds', async () => {
@@ -26,8 +27,7 @@ test('a slower speed takes longer', async () => {
   const { now } = lab
   await lab.page.getByLabel('Playback speed').selectOption('¹⁄₁₆×')
   await lab.page.getByRole('button', { name: 'Play', exact: true }).click()
-  await lab.page.waitForTimeout(1200)
-  expect(await now()).toBeGreaterThan(0.01)
+  await expect.poll(now).toBeGreaterThan(0.01)
   expect(await now()).toBeLessThan(0.5)
 })
 
@@ -120,7 +120,7 @@ test('while it plays nothing is told, and off the screen nothing runs', async ()
     document.body.append(space)
     scrollTo(0, 1e6)
   })
-  await page.waitForTimeout(200)
+  await outOfSight(page.locator('slide-lab'))
   const away = await now()
   await page.waitForTimeout(300)
   expect(await now()).toBe(away)

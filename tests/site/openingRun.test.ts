@@ -1,4 +1,5 @@
 import { expect, inject, test } from 'vitest'
+import { framesAsked } from './frames.ts'
 import { openPage } from './page.ts'
 
 interface Sample {
@@ -82,15 +83,8 @@ test('the blocks run once, then the number counts up, and then nothing moves', a
   expect(new Set(seen.map(({ places }) => places)).size).toBe(1)
   // The text is laid out once nothing moves.
   await page.locator('.text > section:last-of-type.laid-out').waitFor()
-  const requests = await page.evaluate(async () => {
-    ;(window as unknown as { stopSampling: () => void }).stopSampling()
-    await new Promise((resolve) => setTimeout(resolve, 100))
-    let count = 0
-    window.requestAnimationFrame = () => ++count
-    await new Promise((resolve) => setTimeout(resolve, 500))
-    return count
-  })
-  expect(requests).toBe(0)
+  await page.evaluate(() => (window as unknown as { stopSampling: () => void }).stopSampling())
+  await expect.poll(() => framesAsked(page)).toBe(0)
 })
 
 test.each(['pointerdown', 'keydown', 'wheel'])('a %s on the lab ends it at once', async (touch) => {

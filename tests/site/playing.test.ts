@@ -30,30 +30,25 @@ test('no animation frame is asked for while nothing moves', async () => {
     }
   })
   const pending = () => page.evaluate(() => (window as unknown as Watched).pending.size)
-  const settled = () => page.waitForTimeout(150)
   const play = page.getByRole('button', { name: 'Play', exact: true })
-  await settled()
-  expect(await pending()).toBe(0)
+  await expect.poll(pending).toBe(0)
   await play.click()
   await expect.poll(now).toBeGreaterThan(0.1)
   expect(await pending()).toBe(1)
   await page.getByRole('button', { name: 'Pause' }).click()
-  await settled()
-  expect(await pending()).toBe(0)
+  await expect.poll(pending).toBe(0)
   await play.click()
   await page.evaluate(() => {
     document.querySelector<HTMLElement>('slide-lab')!.style.marginTop = '5000px'
   })
-  await settled()
-  expect(await pending()).toBe(0)
+  await expect.poll(pending).toBe(0)
   expect(await now()).toBeLessThan(2)
   await page.evaluate(() => {
     document.querySelector<HTMLElement>('slide-lab')!.style.marginTop = '0'
   })
   await expect.poll(pending).toBe(1)
   await expect.poll(now, { timeout: 8000 }).toBe(2)
-  await settled()
-  expect(await pending()).toBe(0)
+  await expect.poll(pending).toBe(0)
 })
 
 test('while it plays only the places that follow time change, and nothing is laid out elsewhere', async () => {

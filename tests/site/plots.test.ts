@@ -4,6 +4,7 @@ import { opening } from '../../src/lab/state/opening.ts'
 import { exact, simulate } from '../../src/physics/index.ts'
 import { some } from '../samples.ts'
 import { violationsOn } from './axe.ts'
+import { outOfSight } from './frames.ts'
 import { openLab } from './labPage.ts'
 import { at, openPlots } from './plotsPage.ts'
 
@@ -200,7 +201,7 @@ test('what can’t be seen is not drawn', async () => {
   const { page } = lab
   const before = await lab.pixelsOf('position', CHART)
   await page.evaluate(() => scrollTo(0, 0))
-  await page.waitForTimeout(150)
+  await outOfSight(page.locator('slide-lab-plots .multiples'))
   await page.evaluate(() => {
     const lab = document.querySelector('slide-lab') as unknown as {
       change: (change: object) => void

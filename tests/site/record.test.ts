@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
 import { some } from '../samples.ts'
 import { violationsOn } from './axe.ts'
+import { framesAsked } from './frames.ts'
 import { openLab } from './labPage.ts'
 
 type Recorder = HTMLElement & {
@@ -97,14 +98,7 @@ test('it never begins by itself, and can be cancelled', async () => {
   await press('Cancel')
   expect(await recorder.getByRole('progressbar').count()).toBe(0)
   expect(await sample.count()).toBe(0)
-  const requests = await page.evaluate(async () => {
-    let count = 0
-    const original = window.requestAnimationFrame
-    window.requestAnimationFrame = (callback) => (count++, original(callback))
-    await new Promise((resolve) => setTimeout(resolve, 300))
-    return count
-  })
-  expect(requests).toBe(0)
+  await expect.poll(() => framesAsked(page)).toBe(0)
 })
 
 test('it stops and says so when the page is hidden', async () => {

@@ -11,6 +11,7 @@ import {
   tolerantExperiment,
 } from '../../src/measure/index.ts'
 import { simulate } from '../../src/physics/index.ts'
+import { outOfSight } from './frames.ts'
 import { swept, ENGINES, forbidWorkers, openMeasures, sweptIn, press } from './measurePage.ts'
 import type { Counted } from './measurePage.ts'
 
@@ -186,7 +187,7 @@ describe('speed against error', () => {
     const lab = await openMeasures()
     await lab.ready()
     await lab.page.evaluate(() => scrollTo(0, 0))
-    await lab.page.waitForTimeout(300)
+    await outOfSight(lab.page.locator('slide-lab-measures'))
     const { heard } = await lab.counted()
     await lab.page.evaluate(() => {
       const lab = document.querySelector('slide-lab') as unknown as {
