@@ -192,7 +192,10 @@ export abstract class Lab extends LitElement implements LabView {
   override firstUpdated(): void {
     const isLink = location.hash.includes('=')
     if (this.hasAttribute('linked') && !this.compact && !isLink)
-      this.openingRun.playWhenSeen(this.querySelector('slide-stage')!)
+      this.openingRun.playWhenSeen(
+        this.querySelector('slide-stage')!,
+        this.updateComplete.then(() => this.loading),
+      )
   }
 
   override updated(changed: PropertyValues): void {
@@ -259,7 +262,7 @@ export abstract class Lab extends LitElement implements LabView {
               </div>`
         }
         <div class="opening">
-          ${allowed(this, 'modes', modeButtons(this))}${lesson?.hides('spread') ? nothing : spreadNumber(this, this.openingRun.counted)}
+          ${allowed(this, 'modes', modeButtons(this))}${lesson?.hides('spread') ? nothing : spreadNumber(this, this.openingRun.counting)}
         </div>
         <div class="preset-note" role="status">${panels?.note?.()}</div>
         <slide-stage

@@ -9,13 +9,18 @@ interface Sample {
   places: string
 }
 
-/** Opens the page and notes what it shows at every frame; `touch` is done to the picture once it has played 0.2 s. */
+/**
+ * Opens the page and notes what it shows at every frame; `touch` is done to the picture once it has played 0.2 s, and the
+ * panels are sent when `panels` says so.
+ */
 async function watchOpening({
   hash = '',
   touch = '',
   reducedMotion = 'no-preference' as 'reduce' | 'no-preference',
+  panels = Promise.resolve(),
 } = {}) {
   const { page } = await openPage({ path: '404.html', reducedMotion, height: 1000 })
+  await page.route(/instruments/, (route) => panels.then(() => route.continue()))
   await page.addInitScript((touch) => {
     type Shown = HTMLElement & { playback: { time: number } }
     const samples: Sample[] = []
@@ -96,6 +101,25 @@ test.each(['pointerdown', 'keydown', 'wheel'])('a %s on the lab ends it at once'
   expect(seen[last]!.time).toBeGreaterThan(0.2)
   for (const each of seen.slice(last + 1)) expect(each).toMatchObject(end)
 })
+
+test.each([false, true])(
+  'it waits for the panels; touched before they are there: %s',
+  async (touched) => {
+    let send!: () => void
+    const { page, samples } = await watchOpening({
+      panels: new Promise((resolve) => (send = resolve)),
+    })
+    await page.waitForTimeout(500)
+    if (touched) await page.locator('slide-stage canvas').dispatchEvent('wheel')
+    expect(played(await samples())).toEqual([])
+    expect((await samples()).at(-1)).toMatchObject(end)
+    send()
+    await page.locator('slide-lab-plots').waitFor({ state: 'attached' })
+    if (!touched) return expect.poll(async () => played(await samples()).length).toBeGreaterThan(1)
+    await page.waitForTimeout(500)
+    expect(played(await samples())).toEqual([])
+  },
+)
 
 test('with reduced motion it stands at its end', async () => {
   const { page, samples } = await watchOpening({ reducedMotion: 'reduce' })
