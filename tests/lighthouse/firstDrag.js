@@ -2,7 +2,7 @@ const TILT = '[data-handle="tilt"]'
 
 /**
  * When the lab first answers, on a processor that is four times slower: the reader pulls the track's end up from the
- * first moment on, again and again, until the spread changes. In milliseconds since the page was asked for. A pull is one
+ * first moment on, again and again, until its angle changes. In milliseconds since the page was asked for. A pull is one
  * short move: one that begins a moment too early is over soon, and adds little to what is measured.
  */
 export async function firstDrag(browser, address) {
@@ -34,13 +34,14 @@ async function whereItWillBe(browser, address) {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
 }
 
-/** In the page: looks at every picture until it shows another spread than the one it began with. */
+/** In the page: looks at every picture until it shows another angle than the one it began with. */
 function noteFirstAnswer() {
   let first
   const look = () => {
-    const spread = document.querySelector('slide-lab .spread output')?.textContent.trim()
-    first ||= spread
-    if (spread && spread !== first)
+    // Not the spread, which the opening changes too.
+    const angle = document.querySelector('slide-lab')?.state?.parameters.angle
+    first ??= angle
+    if (angle !== first)
       // When the picture with it has been handed over.
       requestAnimationFrame(() => setTimeout(() => (window.firstAnswer = performance.now())))
     else requestAnimationFrame(look)
